@@ -1,0 +1,113 @@
+// Hertz-Mindlin contact without slip, with viscous damping and the Coulomb limit.
+//
+//   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j      1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
+//   1/R* = 1/R_i + 1/R_j                            1/m* = 1/m_i + 1/m_j
+//   Fe = 4/3 E* sqrt(R*) d^(3/2)       Sn = 2 E* sqrt(R* d)       Fv = 2 sqrt(5/6) beta sqrt(Sn m*) d'
+//   Fn = max(0, Fe + Fv)               St = 8 G* sqrt(R* d)
+//   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu Fn
+//   M  = -mu_r R* Fn w / sqrt(w^2 + w0^2)           (R* is also R_i R_j/(R_i + R_j), the rolling radius)
+//
+// with overlap d > 0, approach speed d', slip speed vt, tangential displacement xi, relative spin w.
+// Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form of
+// Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525).
+// Valid for small overlap against the radius; the paper's soil is so soft that d reaches 0.8 R, where this is a penalty law.
+#pragma once
+
+#include <cmath>
+
+#include "physics/disc.h"
+
+namespace furrow {
+
+struct Elastic {
+  double young = 0;    // Pa
+  double poisson = 0;  // -
+  bool rigid = false;  // its terms in 1/E* and 1/G* are zero
+};
+
+// Constants of a pair of materials.
+struct ContactLaw {
+  double modulus = 0;        // Pa, E*
+  double shear_modulus = 0;  // Pa, G*
+  double viscosity = 0;      // -, 2 sqrt(5/6) beta
+  double shear_ratio = 0;    // -, sqrt(St/Sn) = 2 sqrt(G*/E*)
+  double friction = 0;       // -, mu
+  double rolling = 0;        // -, mu_r
+  double floor = 0;          // N, least normal force: 0, or -infinity if the contact may pull
+};
+
+inline double compliance(const Elastic& e) { return e.rigid ? 0 : (1 - e.poisson * e.poisson) / e.young; }
+
+inline double shear_compliance(const Elastic& e) {
+  return e.rigid ? 0 : (2 - e.poisson) * 2 * (1 + e.poisson) / e.young;  // G = E / (2 (1 + nu))
+}
+
+inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, double mu, double mu_rolling, bool pull) {
+  ContactLaw law;
+  law.modulus = 1 / (compliance(i) + compliance(j));
+  law.shear_modulus = 1 / (shear_compliance(i) + shear_compliance(j));
+  law.viscosity = 2 * std::sqrt(5.0 / 6.0) * beta;
+  law.shear_ratio = 2 * std::sqrt(law.shear_modulus / law.modulus);
+  law.friction = mu;
+  law.rolling = mu_rolling;
+  law.floor = pull ? -HUGE_VAL : 0;
+  return law;
+}
+
+// beta for a wanted restitution e in (0, 1]; exact if the contact may pull.
+inline double damping_factor(double restitution) {
+  const double log_e = std::log(restitution);
+  return -log_e / std::sqrt(log_e * log_e + pi * pi);
+}
+
+// One touching contact as the law sees it.
+struct Touch {
+  double overlap;         // m, > 0
+  double approach;        // m/s, d'
+  double slip;            // m/s, vt: of the two surfaces at the contact, spin included
+  double spring;          // m, xi
+  double spin;            // rad/s, omega_i - omega_j
+  double reduced_radius;  // m, R*
+  double reduced_mass;    // kg, m*
+};
+
+struct TouchForce {
+  double elastic;          // N, Fe
+  double normal;           // N, Fn, pushing the two apart
+  double tangential;       // N, Ft on body i, along the tangent
+  double moment;           // N m, M on body i
+  double stiffness;        // N/m, Sn
+  double shear_stiffness;  // N/m, St
+  double shear_viscosity;  // N s/m, factor of vt in Ft
+};
+
+template <bool Rolling>
+inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
+  TouchForce f{};
+  const double root = std::sqrt(c.reduced_radius * c.overlap);
+  f.stiffness = 2 * law.modulus * root;
+  f.shear_stiffness = 8 * law.shear_modulus * root;
+  f.elastic = (2.0 / 3.0) * f.stiffness * c.overlap;
+  const double viscosity = law.viscosity * std::sqrt(f.stiffness * c.reduced_mass);
+  f.shear_viscosity = viscosity * law.shear_ratio;
+
+  const double push = f.elastic + viscosity * c.approach;
+  f.normal = push > law.floor ? push : law.floor;
+  const double pressed = f.normal > 0 ? f.normal : 0;
+
+  const double limit = law.friction * pressed;
+  const double stick = -f.shear_stiffness * c.spring - f.shear_viscosity * c.slip;
+  const double capped = stick > limit ? limit : stick;
+  f.tangential = capped < -limit ? -limit : capped;
+
+  if constexpr (Rolling) {
+    f.moment = -law.rolling * c.reduced_radius * pressed * c.spin /
+               std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
+  }
+  return f;
+}
+
+// What the normal spring holds: the integral of Fe from 0 to d.
+inline double elastic_energy(double elastic, double overlap) { return 0.4 * elastic * overlap; }
+
+}  // namespace furrow

@@ -1,0 +1,14 @@
+// Mass and inertia of a disc in its two readings. The paper does not say which one it uses.
+//   disc:    V = pi R^2 b,    I = m R^2/2        sphere:  V = 4/3 pi R^3,  I = 2/5 m R^2
+#pragma once
+
+namespace furrow {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+inline double disc_volume(double radius, double depth) { return pi * radius * radius * depth; }            // m^3
+inline double sphere_volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }           // m^3
+inline double disc_inertia(double mass, double radius) { return 0.5 * mass * radius * radius; }            // kg m^2
+inline double sphere_inertia(double mass, double radius) { return 0.4 * mass * radius * radius; }          // kg m^2
+
+}  // namespace furrow
