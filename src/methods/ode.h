@@ -1,0 +1,39 @@
+// What an integration method sees of a system:  y' = f(t, y).
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace furrow {
+
+using State = std::vector<double>;
+
+// A run cannot go on: a number is not finite, a body outran its contacts, a controlled step failed.
+class Divergence : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// y = [ q, v, z ]: `positions` numbers q, as many v with q' = v, and the rest z, which f may use but q' does not.
+class OdeSystem {
+ public:
+  virtual ~OdeSystem() = default;
+  virtual std::size_t size() const = 0;
+  virtual std::size_t positions() const = 0;
+
+  // How many of the leading numbers count in the error control of a controlled method.
+  virtual std::size_t controlled() const { return size(); }
+
+  // Pure: the same (t, y) gives the same bits, in whatever order it is called.
+  virtual void rhs(double t, const State& y, State& dydt) const = 0;
+
+ protected:
+  OdeSystem() = default;
+  OdeSystem(const OdeSystem&) = default;
+  OdeSystem& operator=(const OdeSystem&) = default;
+  OdeSystem(OdeSystem&&) = default;
+  OdeSystem& operator=(OdeSystem&&) = default;
+};
+
+}  // namespace furrow

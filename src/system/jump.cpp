@@ -1,0 +1,118 @@
+// The jump map: what happens between steps.
+#include <algorithm>
+#include <cmath>
+
+#include "system/geometry.h"
+#include "system/system.h"
+
+namespace furrow {
+namespace {
+
+// Accepted steps without nearness after which a slot may pass to another contact: longer than the history of any multistep
+// method, so that nothing of the old contact reaches the new one.
+constexpr int quiet_steps = 8;
+
+}  // namespace
+
+JumpReport System::jump(double t, State& y) {
+  JumpReport report;
+  if (friction_) {
+    return_to_coulomb_limit(t, y, report);
+    arm_contacts(t, y);
+  }
+  if (!preparing_) tear_links(t, y, report);
+  return report;
+}
+
+// |xi| <= mu Fn / St; and a spring whose contact has opened is relaxed.
+void System::return_to_coulomb_limit(double t, State& y, JumpReport& report) {
+  relaxed_.assign(static_cast<std::size_t>(slots_), 0.0);
+  for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k) {
+      const int slot = search_.candidates[c.kind].slot[c.candidate[k]];
+      if (slot < 0) continue;
+      const double pressed = c.normal[k] > 0 ? c.normal[k] : 0;
+      const double limit = parts_.law[c.law[k]].friction * pressed / c.shear_stiffness[k];
+      const double spring = c.spring[k];
+      const double returned = spring > limit ? limit : spring < -limit ? -limit : spring;
+      relaxed_[slot] = returned;
+      if (keeps_ledger_ && returned != spring) {
+        y[ledger_of(friction_work)] += 0.5 * c.shear_stiffness[k] * (spring * spring - returned * returned);
+      }
+    }
+  });
+  const auto springs = y.begin() + springs_;
+  report.springs_changed = !std::equal(relaxed_.begin(), relaxed_.end(), springs);
+  std::copy(relaxed_.begin(), relaxed_.end(), springs);
+}
+
+double System::gap(ContactKind kind, int candidate, double t, const State& y) const {
+  const Candidates& list = search_.candidates[kind];
+  const int a = list.a[candidate];
+  const int b = list.b[candidate];
+  const bool of_discs = kind <= disc_lattice;
+  const double px = of_discs ? y[x_of(a)] : nodes_.x[a];
+  const double py = of_discs ? y[y_of(a)] : nodes_.y[a];
+  const double radius = of_discs ? parts_.disc.radius[a] : 0;
+  if (kind == disc_lattice) {
+    int segment = 0;
+    return std::sqrt(nearest_border(candidate, px, py, segment).distance2) - radius;
+  }
+  if (kind == disc_wall || kind == node_wall) {
+    const WallPart& w = parts_.wall[b];
+    return nearest_on_wall(px, py, w.px, w.py, w.nx, w.ny).distance - radius;
+  }
+  const PlatePart& p = parts_.plate[b];
+  const PlateAt at = plate_at(b, t);
+  return nearest_on_rectangle(px, py, at.left, at.left + p.width, at.lower, at.lower + p.height).distance - radius;
+}
+
+// Near contacts get a slot, contacts that have long been apart give it back.
+void System::arm_contacts(double t, const State& y) {
+  const double* radius = parts_.disc.radius.data();
+  for (int kind = 0; kind < contact_kinds; ++kind) {
+    Candidates& list = search_.candidates[kind];
+    for (int k = 0; k < list.count(); ++k) {
+      bool near = false;
+      if (kind == disc_disc) {
+        const double dx = y[x_of(list.b[k])] - y[x_of(list.a[k])];
+        const double dy = y[y_of(list.b[k])] - y[y_of(list.a[k])];
+        const double within = radius[list.a[k]] + radius[list.b[k]] + search_.margin;
+        near = dx * dx + dy * dy < within * within;
+      } else {
+        near = gap(static_cast<ContactKind>(kind), k, t, y) < search_.margin;
+      }
+      if (near) {
+        list.quiet[k] = 0;
+        if (list.slot[k] >= 0) continue;
+        if (free_slots_.empty()) {
+          throw Divergence("more contacts than a plane holds (" + std::to_string(slots_) + " tangential springs)");
+        }
+        list.slot[k] = free_slots_.back();
+        free_slots_.pop_back();
+      } else if (list.slot[k] >= 0 && ++list.quiet[k] > quiet_steps) {
+        free_slots_.push_back(list.slot[k]);
+        list.slot[k] = -1;
+      }
+    }
+  }
+}
+
+void System::tear_links(double t, State& y, JumpReport& report) {
+  if (intact_.empty()) return;
+  place_nodes(y);
+  const LinkArrays& link = parts_.link;
+  for (const int k : intact_) {
+    const double rx = nodes_.x[link.a[k]] - nodes_.x[link.b[k]];
+    const double ry = nodes_.y[link.a[k]] - nodes_.y[link.b[k]];
+    const double stretch = std::sqrt(rx * rx + ry * ry) - link.rest[k];
+    const double force = link.stiffness[k] * stretch;
+    if (!((link.in_magnitude[k] != 0 ? std::fabs(force) : force) > link.strength[k])) continue;
+    torn_[k] = 1;
+    report.torn.push_back({t, k, force});
+    if (keeps_ledger_) y[ledger_of(tear_energy)] += 0.5 * force * stretch;
+  }
+  if (!report.torn.empty()) std::erase_if(intact_, [this](int k) { return torn_[k] != 0; });
+}
+
+}  // namespace furrow

@@ -1,0 +1,152 @@
+#include "system/observe.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow {
+namespace {
+
+std::string partner_name(const System& system, const TouchBlock& c, int k) {
+  const Parts& parts = system.parts();
+  const std::string own = c.kind <= disc_lattice ? parts.body_name(c.a[k]) : parts.node_name(c.a[k]);
+  if (c.kind == disc_disc) return own + " and " + parts.body_name(c.b[k]);
+  if (c.kind == disc_lattice) return own + " and lattice " + parts.lattice[c.b[k]].name;
+  return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b[k]);
+}
+
+void add_motion(const System& system, const State& y, Observation& seen) {
+  const Parts& parts = system.parts();
+  const NodeArrays& node = parts.node;
+  const auto add_body = [&](int body, double mass, double weight) {
+    const double vx = y[system.vx_of(body)];
+    const double vy = y[system.vy_of(body)];
+    seen.energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
+    seen.energy.gravity += mass * weight * y[system.y_of(body)];
+    seen.momentum.x += mass * vx;
+    seen.momentum.y += mass * vy;
+    seen.momentum.angular += mass * (y[system.x_of(body)] * vy - y[system.y_of(body)] * vx);
+  };
+  for (int i = 0; i < parts.disc.count(); ++i) {
+    add_body(i, parts.disc.mass[i], system.gravity());
+    if (!system.has_friction()) continue;
+    const double spin = y[system.spin_of(i)];
+    seen.energy.kinetic += 0.5 * parts.disc.inertia[i] * spin * spin;
+    seen.momentum.angular += parts.disc.inertia[i] * spin;
+  }
+  for (int n = 0; n < node.count(); ++n) {
+    if (node.body[n] < 0) continue;
+    add_body(node.body[n], node.mass[n], node.weight[n]);
+    seen.energy.load -= node.load_x[n] * (y[system.x_of(node.body[n])] - node.x[n]) +
+                        node.load_y[n] * (y[system.y_of(node.body[n])] - node.y[n]);
+  }
+}
+
+}  // namespace
+
+double Energies::residual(const Energies& start) const {
+  return (stored() - start.stored()) + (lost() - start.lost()) - (plate_work - start.plate_work) -
+         (stiffening - start.stiffening);
+}
+
+Observation observe(const System& system, double t, const State& y) {
+  Observation seen;
+  const Parts& parts = system.parts();
+  seen.plate.resize(parts.plate.size());
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    seen.contacts += c.count;
+    for (int k = 0; k < c.count; ++k) {
+      seen.energy.contact_elastic +=
+          elastic_energy(c.elastic[k], c.overlap[k]) + 0.5 * c.shear_stiffness[k] * c.spring[k] * c.spring[k];
+      const double size = c.kind <= disc_lattice ? c.radius_a[k] : parts.node.contact_radius[c.a[k]];
+      if (c.overlap[k] / size > seen.overlap.relative) {
+        seen.overlap = {c.overlap[k], c.overlap[k] / size, partner_name(system, c, k)};
+      }
+      if (c.kind != disc_plate && c.kind != node_plate) continue;
+      seen.plate[c.b[k]].x -= c.force_x(k);
+      seen.plate[c.b[k]].y -= c.force_y(k);
+    }
+  });
+  add_motion(system, y, seen);
+  const std::vector<double> tension = link_forces(system, y);
+  for (int k = 0; k < parts.link.count(); ++k) {
+    if (parts.link.stiffness[k] > 0) seen.energy.springs += 0.5 * tension[k] * tension[k] / parts.link.stiffness[k];
+  }
+  if (system.keeps_ledger()) {
+    const auto entry = [&](Ledger which) { return y[system.ledger_of(which)]; };
+    seen.energy.link_damping = entry(link_damping);
+    seen.energy.contact_viscous = entry(contact_viscous);
+    seen.energy.friction = entry(friction_work);
+    seen.energy.rolling = entry(rolling_work);
+    seen.energy.tear = entry(tear_energy);
+    seen.energy.plate_work = entry(plate_work);
+    seen.energy.stiffening = entry(stiffening);
+  }
+  return seen;
+}
+
+std::vector<Stress> disc_stresses(const System& system, double t, const State& y) {
+  const DiscArrays& disc = system.parts().disc;
+  std::vector<Stress> stress(disc.radius.size(), Stress::Zero());
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    if (c.kind > disc_lattice) return;
+    for (int k = 0; k < c.count; ++k) {
+      const Eigen::Vector2d normal(c.nx[k], c.ny[k]);
+      const Eigen::Vector2d force(c.force_x(k), c.force_y(k));
+      stress[c.a[k]] += stress_moment(c.arm_a[k] * normal, force) / disc.volume[c.a[k]];
+      if (c.kind == disc_disc) stress[c.b[k]] += stress_moment(-c.arm_b[k] * normal, -force) / disc.volume[c.b[k]];
+    }
+  });
+  return stress;
+}
+
+std::vector<double> link_forces(const System& system, const State& y) {
+  const LinkArrays& link = system.parts().link;
+  const System::Nodes& nodes = system.nodes(y);
+  std::vector<double> force(link.a.size(), 0.0);
+  for (int k = 0; k < link.count(); ++k) {
+    if (system.torn(k)) continue;
+    const double rx = nodes.x[link.a[k]] - nodes.x[link.b[k]];
+    const double ry = nodes.y[link.a[k]] - nodes.y[link.b[k]];
+    force[k] = link.stiffness[k] * (std::sqrt(rx * rx + ry * ry) - link.rest[k]);
+  }
+  return force;
+}
+
+double greatest_speed(const System& system, const State& y) {
+  double greatest = 0;
+  for (int i = 0; i < system.parts().bodies(); ++i) {
+    const double vx = y[system.vx_of(i)];
+    const double vy = y[system.vy_of(i)];
+    greatest = std::max(greatest, vx * vx + vy * vy);
+  }
+  return std::sqrt(greatest);
+}
+
+double surface_height(const System& system, const State& y) {
+  const std::vector<double>& radius = system.parts().disc.radius;
+  if (radius.empty()) return 0;
+  double left = infinity;
+  double right = -infinity;
+  double width = 0;
+  for (int i = 0; i < system.parts().disc.count(); ++i) {
+    left = std::min(left, y[system.x_of(i)] - radius[i]);
+    right = std::max(right, y[system.x_of(i)] + radius[i]);
+    width += 2 * radius[i] / static_cast<double>(radius.size());
+  }
+  const int strips = std::max(1, static_cast<int>((right - left) / width));
+  std::vector<double> top(static_cast<std::size_t>(strips), -infinity);
+  for (int i = 0; i < system.parts().disc.count(); ++i) {
+    const int strip = std::min(strips - 1, static_cast<int>((y[system.x_of(i)] - left) / (right - left) * strips));
+    top[strip] = std::max(top[strip], y[system.y_of(i)] + radius[i]);
+  }
+  double sum = 0;
+  int filled = 0;
+  for (const double height : top) {
+    if (!std::isfinite(height)) continue;
+    sum += height;
+    ++filled;
+  }
+  return sum / filled;
+}
+
+}  // namespace furrow

@@ -1,0 +1,218 @@
+#include "system/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "physics/disc.h"
+
+namespace furrow {
+namespace {
+
+int index_of_material(const Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.material.size(); ++i) {
+    if (scene.material[i].name == name) return static_cast<int>(i);
+  }
+  throw std::invalid_argument("material '" + name + "' is not defined");
+}
+
+Elastic elastic_of(const Material& m) {
+  if (m.rigid) return {.rigid = true};
+  return {.young = *m.young, .poisson = m.poisson ? *m.poisson : *m.young / (2 * *m.shear) - 1};
+}
+
+const ContactPair* pair_of(const Contact& contact, const std::string& a, const std::string& b) {
+  for (const ContactPair& p : contact.pair) {
+    if ((p.materials[0] == a && p.materials[1] == b) || (p.materials[0] == b && p.materials[1] == a)) return &p;
+  }
+  return nullptr;
+}
+
+double beta_of(const std::optional<double>& factor, const std::optional<double>& restitution, double otherwise) {
+  if (factor) return *factor;
+  return restitution ? damping_factor(*restitution) : otherwise;
+}
+
+void add_laws(const Scene& scene, Parts& parts) {
+  parts.materials = static_cast<int>(scene.material.size());
+  const double beta = beta_of(scene.contact.damping_factor, scene.contact.restitution, 0);
+  for (const Material& a : scene.material) {
+    for (const Material& b : scene.material) {
+      const ContactPair* pair = pair_of(scene.contact, a.name, b.name);
+      const ContactPair& own = pair ? *pair : ContactPair{};
+      parts.law.push_back(contact_law(elastic_of(a), elastic_of(b), beta_of(own.damping_factor, own.restitution, beta),
+                                      own.friction.value_or(scene.contact.friction),
+                                      own.rolling_friction.value_or(scene.contact.rolling_friction), scene.model.pull));
+    }
+  }
+}
+
+void add_discs(const Scene& scene, Parts& parts) {
+  for (const Disc& d : scene.disc) {
+    const int material = index_of_material(scene, d.material);
+    const bool flat = scene.model.disc_mass == DiscMass::disc;
+    const double volume = flat ? disc_volume(d.radius, scene.model.disc_depth) : sphere_volume(d.radius);
+    const double mass = scene.material[material].density * volume;
+    parts.disc.radius.push_back(d.radius);
+    parts.disc.mass.push_back(mass);
+    parts.disc.inertia.push_back(flat ? disc_inertia(mass, d.radius) : sphere_inertia(mass, d.radius));
+    parts.disc.volume.push_back(volume);
+    parts.disc.material.push_back(material);
+  }
+}
+
+bool contains(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+
+// Adds one lattice; node (row, column) gets index first + row * columns + column.
+class LatticeBuilder {
+ public:
+  LatticeBuilder(const Scene& scene, const Lattice& lattice, Parts& parts)
+      : scene_(scene), lattice_(lattice), parts_(parts), first_(parts.node.count()) {}
+
+  void build() {
+    add_nodes();
+    const Lattice& l = lattice_;
+    const double diagonal = std::sqrt(2.0) * l.spacing;
+    add_links(LinkClass::structural, l.structural, {{0, 1}, {1, 0}}, l.spacing);
+    add_links(LinkClass::shear, l.shear, {{1, 1}, {1, -1}}, diagonal);
+    add_links(LinkClass::bending, l.bending, {{0, 2}, {2, 0}}, 2 * l.spacing);
+    add_border();
+    parts_.lattice.push_back({l.auxiliary_points, index_of_material(scene_, l.material), l.name});
+  }
+
+ private:
+  struct Step {
+    int rows, columns;
+  };
+
+  int node(int row, int column) const { return first_ + row * lattice_.columns + column; }
+  bool inside(int row, int column) const {
+    return row >= 0 && row < lattice_.rows && column >= 0 && column < lattice_.columns;
+  }
+
+  void add_nodes() {
+    const Lattice& l = lattice_;
+    NodeArrays& n = parts_.node;
+    for (int row = 0; row < l.rows; ++row) {
+      for (int column = 0; column < l.columns; ++column) {
+        const bool fixed = contains(l.fixed_rows, row) || contains(l.fixed_columns, column);
+        n.x.push_back(l.origin.x + column * l.spacing);
+        n.y.push_back(l.origin.y + row * l.spacing);
+        for (auto* field : {&n.vx, &n.vy, &n.load_x, &n.load_y}) field->push_back(0);
+        n.mass.push_back(l.node_mass);
+        n.weight.push_back(l.gravity ? scene_.model.gravity : 0);
+        n.contact_radius.push_back(l.contact_radius);
+        n.spacing.push_back(l.spacing);
+        n.body.push_back(fixed ? -1 : parts_.disc.count() + parts_.free_nodes++);
+        n.material.push_back(index_of_material(scene_, l.material));
+        n.lattice.push_back(static_cast<int>(parts_.lattice.size()));
+        n.row.push_back(row);
+        n.column.push_back(column);
+      }
+    }
+    for (const NodeSetting& s : l.node) {
+      const int k = node(s.row, s.column);
+      n.x[k] += s.displacement.x;
+      n.y[k] += s.displacement.y;
+      n.vx[k] = s.velocity.x;
+      n.vy[k] = s.velocity.y;
+      n.load_x[k] = s.force.x;
+      n.load_y[k] = s.force.y;
+    }
+  }
+
+  void add_links(LinkClass kind, const LinkKind& k, std::initializer_list<Step> steps, double rest) {
+    if (k.stiffness == 0 && k.damping == 0) return;
+    LinkArrays& links = parts_.link;
+    for (int row = 0; row < lattice_.rows; ++row) {
+      for (int column = 0; column < lattice_.columns; ++column) {
+        for (const Step& step : steps) {
+          if (!inside(row + step.rows, column + step.columns)) continue;
+          links.a.push_back(node(row, column));
+          links.b.push_back(node(row + step.rows, column + step.columns));
+          links.rest.push_back(rest);
+          links.stiffness.push_back(k.stiffness);
+          links.damping.push_back(k.damping);
+          links.strength.push_back(k.strength);
+          links.kind.push_back(kind);
+          links.axial.push_back(lattice_.damper == Damper::axial);
+          links.in_magnitude.push_back(lattice_.tear == TearRule::magnitude);
+        }
+      }
+    }
+  }
+
+  int structural_link(int a, int b) const {
+    const LinkArrays& l = parts_.link;
+    for (int k = 0; k < l.count(); ++k) {
+      if (l.kind[k] == LinkClass::structural && l.a[k] == std::min(a, b) && l.b[k] == std::max(a, b)) return k;
+    }
+    return -1;
+  }
+
+  void add_segment(int a, int b) {
+    parts_.border.a.push_back(a);
+    parts_.border.b.push_back(b);
+    parts_.border.link.push_back(structural_link(a, b));
+    parts_.border.lattice.push_back(static_cast<int>(parts_.lattice.size()));
+  }
+
+  // Counter-clockwise from the lower left corner; for one row or column just along it; for one node the node itself.
+  void add_border() {
+    const int top = lattice_.rows - 1;
+    const int right = lattice_.columns - 1;
+    if (top == 0 && right == 0) add_segment(first_, first_);
+    for (int c = 0; c < right; ++c) add_segment(node(0, c), node(0, c + 1));
+    for (int r = 0; r < top; ++r) add_segment(node(r, right), node(r + 1, right));
+    if (top == 0 || right == 0) return;
+    for (int c = right; c > 0; --c) add_segment(node(top, c), node(top, c - 1));
+    for (int r = top; r > 0; --r) add_segment(node(r, 0), node(r - 1, 0));
+  }
+
+  const Scene& scene_;
+  const Lattice& lattice_;
+  Parts& parts_;
+  int first_;
+};
+
+}  // namespace
+
+std::string to_string(LinkClass kind) {
+  return kind == LinkClass::structural ? "structural" : kind == LinkClass::shear ? "shear" : "bending";
+}
+
+std::string Parts::node_name(int i) const {
+  const LatticePart& owner = lattice[node.lattice[i]];
+  return "node (row " + std::to_string(node.row[i]) + ", column " + std::to_string(node.column[i]) + ") of lattice " +
+         (owner.name.empty() ? std::to_string(node.lattice[i]) : owner.name);
+}
+
+std::string Parts::body_name(int body) const {
+  if (body < disc.count()) return "disc " + std::to_string(body);
+  const auto found = std::find(node.body.begin(), node.body.end(), body);
+  return node_name(static_cast<int>(found - node.body.begin()));
+}
+
+std::string Parts::link_name(int i) const {
+  return to_string(link.kind[i]) + " link from " + node_name(link.a[i]) + " to " + node_name(link.b[i]);
+}
+
+Parts make_parts(const Scene& scene) {
+  Parts parts;
+  add_laws(scene, parts);
+  add_discs(scene, parts);
+  for (const Lattice& l : scene.lattice) LatticeBuilder(scene, l, parts).build();
+  for (const Wall& w : scene.wall) {
+    const double length = std::sqrt(w.normal.x * w.normal.x + w.normal.y * w.normal.y);
+    parts.wall.push_back({w.point.x, w.point.y, w.normal.x / length, w.normal.y / length,
+                          index_of_material(scene, w.material)});
+  }
+  for (const Plate& p : scene.plate) {
+    if (!p.lower_edge) throw std::invalid_argument("plate '" + p.name + "' has no lower edge yet: prepare the scene first");
+    parts.plate.push_back({p.left_edge, *p.lower_edge, p.width, p.height, p.velocity.x, p.velocity.y,
+                           index_of_material(scene, p.material)});
+  }
+  return parts;
+}
+
+}  // namespace furrow

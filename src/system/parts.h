@@ -1,0 +1,88 @@
+// A scene's parts as arrays, one array a field: what never changes while the scene runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/contact.h"
+#include "scene/scene.h"
+
+namespace furrow {
+
+enum class LinkClass { structural, shear, bending };
+std::string to_string(LinkClass kind);
+
+struct DiscArrays {
+  std::vector<double> radius, mass, inertia, volume;  // m, kg, kg m^2, m^3
+  std::vector<int> material;
+  int count() const { return static_cast<int>(radius.size()); }
+};
+
+// Nodes of all lattices, one after the other, row by row.
+struct NodeArrays {
+  std::vector<double> x, y, vx, vy;             // m, m/s at t = 0; fixed nodes stay there
+  std::vector<double> mass, weight;             // kg; m/s^2, 0 for lattices without gravity
+  std::vector<double> load_x, load_y;           // N
+  std::vector<double> contact_radius, spacing;  // m
+  std::vector<int> body;                        // index among the moving bodies, -1 if fixed
+  std::vector<int> material, lattice, row, column;
+  int count() const { return static_cast<int>(x.size()); }
+};
+
+struct LinkArrays {
+  std::vector<int> a, b;                                  // nodes, a < b
+  std::vector<double> rest, stiffness, damping, strength;  // m, N/m, N s/m, N
+  std::vector<LinkClass> kind;
+  std::vector<char> axial, in_magnitude;                   // damper and tear rule
+  int count() const { return static_cast<int>(a.size()); }
+};
+
+// The border of the lattices: segments between neighbouring border nodes. A lattice of one row or column is its own border.
+struct BorderArrays {
+  std::vector<int> a, b;       // nodes
+  std::vector<int> link;       // structural link along the segment, -1 if there is none
+  std::vector<int> lattice;
+  int count() const { return static_cast<int>(a.size()); }
+};
+
+struct WallPart {
+  double px, py;  // m, a point of it
+  double nx, ny;  // unit normal, towards the discs
+  int material;
+};
+
+struct PlatePart {
+  double left, lower, width, height;  // m, at t = 0
+  double vx, vy;                      // m/s
+  int material;
+};
+
+struct LatticePart {
+  int auxiliary_points;
+  int material;
+  std::string name;
+};
+
+struct Parts {
+  DiscArrays disc;
+  NodeArrays node;
+  LinkArrays link;
+  BorderArrays border;
+  std::vector<WallPart> wall;
+  std::vector<PlatePart> plate;
+  std::vector<LatticePart> lattice;
+  std::vector<ContactLaw> law;  // materials x materials
+  int materials = 0;
+  int free_nodes = 0;
+
+  int bodies() const { return disc.count() + free_nodes; }
+  int law_of(int material_a, int material_b) const { return material_a * materials + material_b; }
+  std::string body_name(int body) const;  // "disc 12", "node (row 3, column 1) of lattice stem"
+  std::string node_name(int node) const;
+  std::string link_name(int link) const;
+};
+
+// The scene's packings must have been placed (its `disc` lists all discs) and its plates have a lower edge.
+Parts make_parts(const Scene& scene);
+
+}  // namespace furrow

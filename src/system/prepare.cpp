@@ -1,0 +1,95 @@
+#include "system/prepare.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "scene/packing.h"
+#include "system/observe.h"
+#include "system/run.h"
+
+namespace furrow {
+namespace {
+
+constexpr int looks_every = 100;    // steps
+constexpr double first_look = 0.1;  // s: discs that start at rest have begun to fall by then
+
+struct Settled {
+  System system;
+  State y;
+  double time;  // s
+  long steps;
+};
+
+Settled settle(const Scene& placed, const SettleProgress& progress) {
+  Settled result{System(placed), {}, 0, 0};
+  System& system = result.system;
+  system.prepare(true);
+  result.y = system.initial_state();
+  const auto method = make_method("pece");
+  const RunPlan plan{.start = 0, .end = placed.settle->limit, .step = placed.time.step};
+  long steps = 0;
+  bool interrupted = false;
+  double speed = 0;
+  double slow_since = 0;
+  const RunEnd end = run(system, *method, result.y, plan, [&](double t, const State& y, const JumpReport&) {
+    if (++steps % looks_every != 0) return true;
+    speed = greatest_speed(system, y);
+    interrupted = progress && !progress(t, speed);
+    if (speed > placed.settle->speed) slow_since = t;
+    return !interrupted && t - slow_since < std::max(placed.settle->hold, first_look);
+  });
+  if (interrupted) throw Interrupted("interrupted while settling");
+  std::ostringstream text;
+  if (end.ending == Ending::diverged) {
+    text << "while settling, at t = " << end.time << " s: " << end.reason;
+    throw Divergence(text.str());
+  }
+  if (end.ending == Ending::finished) {
+    text << "not settled after " << placed.settle->limit << " s: the fastest body moves at " << speed << " m/s, settle.speed is "
+         << placed.settle->speed << " m/s; raise settle.limit or settle.speed, or shorten time.step";
+    throw Divergence(text.str());
+  }
+  result.time = end.time;
+  result.steps = end.steps;
+  return result;
+}
+
+}  // namespace
+
+Prepared prepare(const Scene& scene, const SettleProgress& progress) {
+  Scene ready = scene;
+  if (!scene.settle) {
+    ready = place_packings(ready);
+    System system(ready);
+    State y = system.initial_state();
+    return {std::move(ready), std::move(system), std::move(y), {}, 0, 0};
+  }
+  const auto needs_surface = [](const Plate& p) { return p.working_depth.has_value(); };
+  Prepared result{{}, System(Scene{}), {}, {}, 0, 0};
+  if (std::any_of(ready.plate.begin(), ready.plate.end(), needs_surface)) {
+    Scene without = ready;
+    std::erase_if(without.plate, needs_surface);
+    const Settled bed = settle(place_packings(without), progress);
+    result.surface = surface_height(bed.system, bed.y);
+    result.settling_steps = bed.steps;
+    for (Plate& p : ready.plate) {
+      if (!p.working_depth) continue;
+      p.lower_edge = *result.surface - *p.working_depth;
+      p.working_depth.reset();
+    }
+  }
+  result.scene = place_packings(ready);
+  Settled bed = settle(result.scene, progress);
+  bed.system.prepare(false);
+  if (!result.surface) result.surface = surface_height(bed.system, bed.y);
+  result.system = std::move(bed.system);
+  result.y = std::move(bed.y);
+  result.settling_time = bed.time;
+  result.settling_steps += bed.steps;
+  if (result.system.keeps_ledger()) {
+    std::fill(result.y.end() - ledger_entries, result.y.end(), 0.0);
+  }
+  return result;
+}
+
+}  // namespace furrow

@@ -1,0 +1,32 @@
+// From a scene as written to a system at t = 0: packings placed, settled, plates at their working depth.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "system/system.h"
+
+namespace furrow {
+
+struct Prepared {
+  Scene scene;                    // every disc listed, every plate with its lower edge
+  System system;
+  State y;                        // at t = 0
+  std::optional<double> surface;  // m, of the settled discs, if the scene settles
+  double settling_time = 0;       // s of model time
+  long settling_steps = 0;
+};
+
+// A scene with a plate at a working depth is settled twice: without such plates, to find the surface, then with all of them.
+// Both times by the scene's step and the method pece, plates at rest, links not tearing.
+// `progress(model time, greatest speed)` is called now and then; false stops, and prepare throws Interrupted.
+// Throws std::runtime_error if the scene does not settle within its limit, Divergence if it blows up.
+using SettleProgress = std::function<bool(double t, double speed)>;
+Prepared prepare(const Scene& scene, const SettleProgress& progress = {});
+
+class Interrupted : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace furrow

@@ -1,0 +1,91 @@
+#include "system/run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace furrow {
+namespace {
+
+// A body that moves further than its size in a step passes contacts unseen: the step is too long, or the run has blown up.
+class Watch {
+ public:
+  explicit Watch(const System& system) : system_(system) {
+    const Parts& parts = system.parts();
+    size_ = parts.disc.radius;
+    for (int n = 0; n < parts.node.count(); ++n) {
+      if (parts.node.body[n] >= 0) size_.push_back(parts.node.spacing[n]);
+    }
+  }
+
+  // Empty if the step from `before` to `after` is sound.
+  std::string complaint(const State& before, const State& after, double h) const {
+    double sum = 0;
+    for (const double v : after) sum += v - v;  // not zero if any number is not finite
+    bool far = false;
+    const int bodies = static_cast<int>(size_.size());
+    for (int i = 0; i < bodies; ++i) {
+      far |= std::fabs(after[i] - before[i]) > size_[i];
+      far |= std::fabs(after[bodies + i] - before[bodies + i]) > size_[i];
+    }
+    if (sum == 0 && !far) return {};
+    std::ostringstream text;
+    for (int i = 0; i < bodies; ++i) {
+      const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
+      if (moved <= size_[i]) continue;
+      text << system_.parts().body_name(i);
+      if (std::isfinite(moved)) {
+        text << " moved " << moved << " m in one step of " << h << " s, more than its size of " << size_[i] << " m";
+      } else {
+        text << " has a position that is not finite";
+      }
+      return text.str();
+    }
+    text << "a velocity or tangential spring is not finite";
+    return text.str();
+  }
+
+ private:
+  const System& system_;
+  std::vector<double> size_;  // m, by body
+};
+
+}  // namespace
+
+RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
+  const Watch watch(system);
+  RunEnd end{Ending::finished, {}, plan.start, 0};
+  const double tiny = 1e-9 * plan.step;
+  State before;
+  try {
+    JumpReport report = system.jump(plan.start, y);
+    if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+    while (end.ending == Ending::finished && end.time < plan.end - tiny) {
+      before = y;
+      // Fixed steps are counted, not summed: t = start + n h has no drift.
+      double next = plan.start + static_cast<double>(end.steps + 1) * plan.step;
+      if (method.info().controlled) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
+      if (next > plan.end - tiny) next = plan.end;
+      const bool regular = !method.info().controlled && next != plan.end;
+      const double taken = method.step(system, end.time, y, regular ? plan.step : next - end.time);
+      const std::string complaint = watch.complaint(before, y, taken);
+      if (!complaint.empty()) throw Divergence(complaint);
+      end.time = taken == next - end.time || regular ? next : end.time + taken;
+      ++end.steps;
+      report = system.jump(end.time, y);
+      if (report.flow_jumped()) {
+        method.restart();
+      } else if (report.springs_changed) {
+        method.state_changed();
+      }
+      if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+    }
+  } catch (const Divergence& failure) {
+    if (!before.empty()) y = before;
+    end.ending = Ending::diverged;
+    end.reason = failure.what();
+  }
+  return end;
+}
+
+}  // namespace furrow

@@ -1,0 +1,35 @@
+// Runs a system from one time to another and says how that ended.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "methods/method.h"
+#include "system/system.h"
+
+namespace furrow {
+
+enum class Ending { finished, stopped, diverged };
+
+struct RunEnd {
+  Ending ending = Ending::finished;
+  std::string reason;  // of a divergence: what, where, and what to do
+  double time = 0;     // s, of the last good state
+  long steps = 0;
+};
+
+struct RunPlan {
+  double start = 0;                      // s
+  double end = 1;                        // s
+  double step = 1e-4;                    // s; a fixed method's step, the largest one of a controlled method
+  std::function<double(double)> stop{};  // next time after t that a controlled method must hit; none: only the end
+};
+
+// Called with the start and after each accepted step; false stops the run.
+using AfterStep = std::function<bool(double t, const State& y, const JumpReport& jump)>;
+
+// y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more than
+// its own size in one step, or the method gave up.
+RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step);
+
+}  // namespace furrow

@@ -1,0 +1,255 @@
+#include "system/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "system/geometry.h"
+
+namespace furrow {
+namespace {
+
+constexpr double skin_of_radius = 0.3;    // times the least radius; measured: flat between 0.2 and 0.5
+constexpr double margin_of_radius = 0.1;  // times the least radius
+
+double least_radius(const Parts& parts) {
+  double least = infinity;
+  for (double r : parts.disc.radius) least = std::min(least, r);
+  for (double r : parts.node.contact_radius) least = std::min(least, r);
+  return std::isfinite(least) ? least : 1;
+}
+
+double greatest_move(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0) {
+  double greatest = 0;
+  for (std::size_t i = 0; i < x0.size(); ++i) {
+    const double dx = x[i] - x0[i];
+    const double dy = y[i] - y0[i];
+    const double moved = dx * dx + dy * dy;
+    greatest = moved <= greatest ? greatest : moved;  // a NaN becomes the greatest and stays it
+  }
+  return std::sqrt(greatest);
+}
+
+// Discs sorted into square cells, by counting.
+class Grid {
+ public:
+  Grid(const double* x, const double* y, int count, double cell) : x_(x), y_(y) {
+    const auto [left, right] = std::minmax_element(x, x + count);
+    const auto [lower, upper] = std::minmax_element(y, y + count);
+    left_ = *left;
+    lower_ = *lower;
+    const double width = *right - left_;
+    const double height = *upper - lower_;
+    // A disc that flew far off must not make the grid larger than the discs are many.
+    cell_ = std::max(cell, std::max(std::sqrt(width * height / (4.0 * count)), std::max(width, height) / (4.0 * count)));
+    columns_ = static_cast<int>(width / cell_) + 1;
+    rows_ = static_cast<int>(height / cell_) + 1;
+    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+    for (int i = 0; i < count; ++i) ++first_[cell_of(i) + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    disc_.resize(static_cast<std::size_t>(count));
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    for (int i = 0; i < count; ++i) disc_[next[cell_of(i)]++] = i;
+  }
+
+  // Calls visit(j) for every disc j in the cells within `reach` of disc i, itself included.
+  template <class Visit>
+  void around(int i, double reach, Visit&& visit) const {
+    const int range = static_cast<int>(std::ceil(reach / cell_));
+    const int row = row_of(i);
+    const int column = column_of(i);
+    for (int r = std::max(0, row - range); r <= std::min(rows_ - 1, row + range); ++r) {
+      const int from = std::max(0, column - range);
+      const int to = std::min(columns_ - 1, column + range);
+      for (int k = first_[r * columns_ + from]; k < first_[r * columns_ + to + 1]; ++k) visit(disc_[k]);
+    }
+  }
+
+ private:
+  int row_of(int i) const { return std::min(rows_ - 1, static_cast<int>((y_[i] - lower_) / cell_)); }
+  int column_of(int i) const { return std::min(columns_ - 1, static_cast<int>((x_[i] - left_) / cell_)); }
+  int cell_of(int i) const { return row_of(i) * columns_ + column_of(i); }
+
+  const double* x_;
+  const double* y_;
+  double left_, lower_, cell_;
+  int columns_, rows_;
+  std::vector<int> first_, disc_;
+};
+
+}  // namespace
+
+NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
+    : margin(margin_of_radius * least_radius(parts)),
+      brute_force_(settings.mode == SearchMode::brute_force),
+      skin_(settings.skin > 0 ? settings.skin : skin_of_radius * least_radius(parts)),
+      cell_size_(settings.cell_size) {}
+
+void NeighbourSearch::update(const Parts& parts, const Placement& now) {
+  if (made_ && (brute_force_ || current(parts, now))) return;
+  check_finite(parts, now);
+  for (int kind = 0; kind < contact_kinds; ++kind) {
+    replace(parts, static_cast<ContactKind>(kind), near_pairs(parts, now, static_cast<ContactKind>(kind)));
+  }
+  find_segments(parts, now);
+  remember(parts, now);
+  ++rebuilds;
+}
+
+// Two bodies, or a body and a plate, have come closer by no more than the skin.
+bool NeighbourSearch::current(const Parts& parts, const Placement& now) const {
+  const double moved = std::max(greatest_move(now.disc_x, now.disc_y, disc_x_, disc_y_),
+                                greatest_move(now.node_x, now.node_y, node_x_, node_y_));
+  double speed = 0;
+  for (const PlatePart& p : parts.plate) speed = std::max(speed, std::sqrt(p.vx * p.vx + p.vy * p.vy));
+  return moved + std::max(moved, speed * std::fabs(now.t - made_at_)) <= skin_;
+}
+
+void NeighbourSearch::remember(const Parts& parts, const Placement& now) {
+  made_ = true;
+  made_at_ = now.t;
+  disc_x_.assign(now.disc_x, now.disc_x + parts.disc.count());
+  disc_y_.assign(now.disc_y, now.disc_y + parts.disc.count());
+  node_x_.assign(now.node_x, now.node_x + parts.node.count());
+  node_y_.assign(now.node_y, now.node_y + parts.node.count());
+}
+
+void NeighbourSearch::check_finite(const Parts& parts, const Placement& now) const {
+  for (int i = 0; i < parts.disc.count(); ++i) {
+    if (!std::isfinite(now.disc_x[i] + now.disc_y[i])) throw Divergence("the position of disc " + std::to_string(i) + " is not finite");
+  }
+  for (int i = 0; i < parts.node.count(); ++i) {
+    if (!std::isfinite(now.node_x[i] + now.node_y[i])) throw Divergence("the position of " + parts.node_name(i) + " is not finite");
+  }
+}
+
+std::vector<NeighbourSearch::Pair> NeighbourSearch::near_pairs(const Parts& parts, const Placement& now,
+                                                               ContactKind kind) const {
+  std::vector<Pair> near;
+  const double reach = brute_force_ ? infinity : margin + skin_;
+  if (kind == disc_disc) near_discs(parts, now, near);
+  const bool of_discs = kind == disc_wall || kind == disc_plate || kind == disc_lattice;
+  const int count = kind == disc_disc ? 0 : of_discs ? parts.disc.count() : parts.node.count();
+  for (int a = 0; a < count; ++a) {
+    if (!of_discs && parts.node.body[a] < 0) continue;  // fixed node and plate or wall: neither of them can give way
+    const double x = of_discs ? now.disc_x[a] : now.node_x[a];
+    const double y = of_discs ? now.disc_y[a] : now.node_y[a];
+    const double radius = of_discs ? parts.disc.radius[a] : 0;
+    if (kind == disc_wall || kind == node_wall) {
+      for (int b = 0; b < static_cast<int>(parts.wall.size()); ++b) {
+        const WallPart& w = parts.wall[b];
+        if (nearest_on_wall(x, y, w.px, w.py, w.nx, w.ny).distance - radius < reach) near.push_back({a, b});
+      }
+    } else if (kind == disc_plate || kind == node_plate) {
+      for (int b = 0; b < static_cast<int>(parts.plate.size()); ++b) {
+        const PlatePart& p = parts.plate[b];
+        const double left = p.left + p.vx * now.t;
+        const double lower = p.lower + p.vy * now.t;
+        const Nearest n = nearest_on_rectangle(x, y, left, left + p.width, lower, lower + p.height);
+        if (n.distance - radius < reach) near.push_back({a, b});
+      }
+    } else {
+      for (int s = 0; s < parts.border.count(); ++s) {
+        const int b = parts.border.lattice[s];
+        if (!near.empty() && near.back().a == a && near.back().b == b) continue;
+        const int i = parts.border.a[s];
+        const int j = parts.border.b[s];
+        const double within = reach + radius;
+        if (nearest_on_segment(x, y, now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], 0, false).distance2 <
+            within * within) {
+          near.push_back({a, b});
+        }
+      }
+    }
+  }
+  return near;
+}
+
+void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, std::vector<Pair>& near) const {
+  const int count = parts.disc.count();
+  if (count < 2) return;
+  if (brute_force_) {
+    for (int i = 0; i < count; ++i) {
+      for (int j = i + 1; j < count; ++j) near.push_back({i, j});
+    }
+    return;
+  }
+  const double* radius = parts.disc.radius.data();
+  const double greatest = *std::max_element(radius, radius + count);
+  const double reach = 2 * greatest + margin + skin_;
+  const Grid grid(now.disc_x, now.disc_y, count, cell_size_ > 0 ? cell_size_ : reach);
+  for (int i = 0; i < count; ++i) {
+    const std::size_t first = near.size();
+    grid.around(i, radius[i] + greatest + margin + skin_, [&](int j) {
+      if (j <= i) return;
+      const double dx = now.disc_x[j] - now.disc_x[i];
+      const double dy = now.disc_y[j] - now.disc_y[i];
+      const double within = radius[i] + radius[j] + margin + skin_;
+      if (dx * dx + dy * dy < within * within) near.push_back({i, j});
+    });
+    std::sort(near.begin() + static_cast<std::ptrdiff_t>(first), near.end(),
+              [](const Pair& p, const Pair& q) { return p.b < q.b; });
+  }
+}
+
+// The new list: the near pairs, and of the old one those that still hold a slot. Both are sorted.
+void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near) {
+  Candidates& old = candidates[kind];
+  Candidates fresh;
+  const auto before = [](const Pair& p, const Pair& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
+  const auto add = [&](const Pair& p, int slot, std::uint8_t quiet) {
+    const bool of_discs = kind <= disc_lattice;
+    const int own = of_discs ? parts.disc.material[p.a] : parts.node.material[p.a];
+    const double radius = of_discs ? parts.disc.radius[p.a] : parts.node.contact_radius[p.a];
+    const double mass = of_discs ? parts.disc.mass[p.a] : parts.node.mass[p.a];
+    fresh.a.push_back(p.a);
+    fresh.b.push_back(p.b);
+    fresh.slot.push_back(slot);
+    fresh.quiet.push_back(quiet);
+    if (kind == disc_disc) {
+      const double other = parts.disc.radius[p.b];
+      const double other_mass = parts.disc.mass[p.b];
+      fresh.reduced_radius.push_back(radius * other / (radius + other));
+      fresh.reduced_mass.push_back(mass * other_mass / (mass + other_mass));
+      fresh.law.push_back(parts.law_of(own, parts.disc.material[p.b]));
+    } else {
+      fresh.reduced_radius.push_back(radius);
+      fresh.reduced_mass.push_back(mass);
+      const int other = kind == disc_lattice                          ? parts.lattice[p.b].material
+                        : kind == disc_wall || kind == node_wall ? parts.wall[p.b].material
+                                                                 : parts.plate[p.b].material;
+      fresh.law.push_back(parts.law_of(own, other));
+    }
+  };
+  std::size_t n = 0;
+  for (int k = 0; k < old.count(); ++k) {
+    if (old.slot[k] < 0) continue;
+    const Pair kept{old.a[k], old.b[k]};
+    while (n < near.size() && before(near[n], kept)) add(near[n++], -1, 0);
+    if (n < near.size() && !before(kept, near[n])) ++n;
+    add(kept, old.slot[k], old.quiet[k]);
+  }
+  while (n < near.size()) add(near[n++], -1, 0);
+  old = std::move(fresh);
+}
+
+void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {
+  Candidates& list = candidates[disc_lattice];
+  list.first_segment.assign(1, 0);
+  list.segment.clear();
+  const BorderArrays& border = parts.border;
+  for (int k = 0; k < list.count(); ++k) {
+    const int disc = list.a[k];
+    const double within = brute_force_ ? infinity : parts.disc.radius[disc] + margin + skin_;
+    for (int s = 0; s < border.count(); ++s) {
+      if (border.lattice[s] != list.b[k]) continue;
+      const int i = border.a[s];
+      const int j = border.b[s];
+      const NearestOnSegment n = nearest_on_segment(now.disc_x[disc], now.disc_y[disc], now.node_x[i], now.node_y[i],
+                                                    now.node_x[j], now.node_y[j], 0, false);
+      if (n.distance2 < within * within) list.segment.push_back(s);
+    }
+    list.first_segment.push_back(static_cast<int>(list.segment.size()));
+  }
+}
+
+}  // namespace furrow

@@ -1,0 +1,78 @@
+// Which parts may touch: neighbour lists with a reach larger than any contact, renewed before anything can have moved through
+// that reach. The lists never change a result: a pair on a list that does not touch adds nothing, forces are summed in the
+// order of the pairs, and what a contact remembers (its slot) is decided by distances alone, not by when a list was made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "methods/ode.h"
+#include "scene/scene.h"
+#include "system/parts.h"
+
+namespace furrow {
+
+enum ContactKind { disc_disc, disc_wall, disc_plate, disc_lattice, node_wall, node_plate };
+inline constexpr int contact_kinds = 6;
+inline constexpr std::array<const char*, contact_kinds> contact_kind_names{"disc-disc",    "disc-wall", "disc-plate",
+                                                                           "disc-lattice", "node-wall", "node-plate"};
+
+// Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
+struct Candidates {
+  std::vector<int> a, b;
+  std::vector<int> slot;                   // of the tangential spring in the state; -1: none
+  std::vector<std::uint8_t> quiet;         // accepted steps since the pair was last near; see NeighbourSearch::margin
+  std::vector<double> reduced_radius;      // m
+  std::vector<double> reduced_mass;        // kg; of disc and lattice: not used, it depends on the contact point
+  std::vector<int> law;                    // index into Parts::law
+  std::vector<int> first_segment;          // disc-lattice: candidate k may touch segment[first_segment[k] ...]
+  std::vector<int> segment;
+  int count() const { return static_cast<int>(a.size()); }
+};
+
+// Where everything is. Arrays of discs and of nodes (fixed ones too); m, s.
+struct Placement {
+  double t;
+  const double* disc_x;
+  const double* disc_y;
+  const double* node_x;
+  const double* node_y;
+};
+
+class NeighbourSearch {
+ public:
+  NeighbourSearch() = default;
+  NeighbourSearch(const Parts& parts, const Search& settings);
+
+  // Makes sure that every pair closer than `margin` is on a list. Throws Divergence where a position is not finite.
+  void update(const Parts& parts, const Placement& now);
+
+  // m. A contact gets a slot for its tangential spring when its gap is below the margin, one step before it can touch,
+  // so that the spring is integrated from the very touch.
+  double margin = 0;
+  std::array<Candidates, contact_kinds> candidates;
+  long rebuilds = 0;
+
+ private:
+  struct Pair {
+    int a, b;
+  };
+
+  bool current(const Parts& parts, const Placement& now) const;
+  void remember(const Parts& parts, const Placement& now);
+  void check_finite(const Parts& parts, const Placement& now) const;
+  std::vector<Pair> near_pairs(const Parts& parts, const Placement& now, ContactKind kind) const;
+  void near_discs(const Parts& parts, const Placement& now, std::vector<Pair>& near) const;
+  void replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near);
+  void find_segments(const Parts& parts, const Placement& now);
+
+  bool brute_force_ = false;
+  double skin_ = 0;       // m
+  double cell_size_ = 0;  // m; 0: the reach
+  bool made_ = false;
+  double made_at_ = 0;  // s
+  std::vector<double> disc_x_, disc_y_, node_x_, node_y_;
+};
+
+}  // namespace furrow

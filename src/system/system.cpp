@@ -1,0 +1,409 @@
+#include "system/system.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "physics/link.h"
+#include "system/geometry.h"
+
+namespace furrow {
+namespace {
+
+// Slots for tangential springs. Discs in a plane touch at most six others each, three contacts a disc; a fourth for soft
+// beds, whose second neighbours may touch, and for walls, plates and lattices.
+int slots_needed(const Parts& p) {
+  const long discs = p.disc.count();
+  const long flat = static_cast<long>(p.wall.size() + p.plate.size());
+  const long all = discs * (discs - 1) / 2 + discs * (flat + static_cast<long>(p.lattice.size())) + p.free_nodes * flat;
+  return static_cast<int>(std::min(all, 4 * discs + p.free_nodes * flat + 16));
+}
+
+}  // namespace
+
+System::System(const Scene& scene)
+    : parts_(make_parts(scene)),
+      gravity_(scene.model.gravity),
+      lever_(scene.model.lever == Lever::overlap ? 1 : 0),
+      rolling_smoothing_(scene.model.rolling_smoothing),
+      keeps_ledger_(scene.output.energy),
+      bodies_(parts_.bodies()),
+      search_(parts_, scene.search) {
+  // A spin matters only where a disc can be turned.
+  for (const ContactLaw& law : parts_.law) {
+    rolling_ = rolling_ || (law.rolling > 0 && parts_.disc.count() > 0);
+    friction_ = friction_ || law.friction > 0;
+  }
+  friction_ = friction_ || rolling_;
+  const int spins = friction_ ? parts_.disc.count() : 0;
+  slots_ = friction_ ? slots_needed(parts_) : 0;
+  springs_ = 4 * bodies_ + spins;
+  ledger_ = springs_ + slots_;
+  free_slots_.resize(static_cast<std::size_t>(slots_));
+  for (int k = 0; k < slots_; ++k) free_slots_[k] = slots_ - 1 - k;
+
+  for (int i = 0; i < parts_.disc.count(); ++i) {
+    inverse_mass_.push_back(1 / parts_.disc.mass[i]);
+    inverse_inertia_.push_back(1 / parts_.disc.inertia[i]);
+    weight_.push_back(gravity_);
+  }
+  const NodeArrays& node = parts_.node;
+  for (int n = 0; n < node.count(); ++n) {
+    if (node.body[n] < 0) continue;
+    inverse_mass_.push_back(1 / node.mass[n]);
+    weight_.push_back(node.weight[n]);
+  }
+  torn_.assign(static_cast<std::size_t>(parts_.link.count()), 0);
+  intact_.resize(torn_.size());
+  std::iota(intact_.begin(), intact_.end(), 0);
+  nodes_ = {node.x, node.y, node.vx, node.vy};
+  for (int n = 0; n < node.count(); ++n) {
+    if (node.body[n] < 0) nodes_.vx[n] = nodes_.vy[n] = 0;
+  }
+  node_fx_.resize(nodes_.x.size());
+  node_fy_.resize(nodes_.x.size());
+
+  disc_start_ = scene.disc;
+}
+
+State System::initial_state() const {
+  State y(size(), 0.0);
+  for (int i = 0; i < parts_.disc.count(); ++i) {
+    const Disc& d = disc_start_[i];
+    y[x_of(i)] = d.position.x;
+    y[y_of(i)] = d.position.y;
+    y[vx_of(i)] = d.velocity.x;
+    y[vy_of(i)] = d.velocity.y;
+    if (friction_) y[spin_of(i)] = d.spin;
+  }
+  const NodeArrays& node = parts_.node;
+  for (int n = 0; n < node.count(); ++n) {
+    const int body = node.body[n];
+    if (body < 0) continue;
+    y[x_of(body)] = node.x[n];
+    y[y_of(body)] = node.y[n];
+    y[vx_of(body)] = node.vx[n];
+    y[vy_of(body)] = node.vy[n];
+  }
+  return y;
+}
+
+System::PlateAt System::plate_at(int plate, double t) const {
+  const PlatePart& p = parts_.plate[plate];
+  if (preparing_) return {p.left, p.lower, 0, 0};
+  return {p.left + p.vx * t, p.lower + p.vy * t, p.vx, p.vy};
+}
+
+System::Nodes System::nodes(const State& y) const {
+  place_nodes(y);
+  return nodes_;
+}
+
+void System::place_nodes(const State& y) const {
+  for (int n = 0; n < parts_.node.count(); ++n) {
+    const int body = parts_.node.body[n];
+    if (body < 0) continue;
+    nodes_.x[n] = y[x_of(body)];
+    nodes_.y[n] = y[y_of(body)];
+    nodes_.vx[n] = y[vx_of(body)];
+    nodes_.vy[n] = y[vy_of(body)];
+  }
+}
+
+Placement System::placement(double t, const State& y) const {
+  return {preparing_ ? 0 : t, y.data(), y.data() + bodies_, nodes_.x.data(), nodes_.y.data()};
+}
+
+// Raw differences of the discs that overlap; `evaluate` makes unit vectors of them, lane by lane.
+void System::fill_discs(TouchBlock& block, int& next, const State& y) const {
+  const Candidates& list = search_.candidates[disc_disc];
+  const double* x = y.data();
+  const double* height = y.data() + bodies_;
+  const double* radius = parts_.disc.radius.data();
+  block.kind = disc_disc;
+  int count = 0;
+  const int end = list.count();
+  int k = next;
+  for (; k < end && count < TouchBlock::capacity; ++k) {
+    const int a = list.a[k];
+    const int b = list.b[k];
+    const double dx = x[b] - x[a];
+    const double dy = height[b] - height[a];
+    const double within = radius[a] + radius[b];
+    const double distance2 = dx * dx + dy * dy;
+    block.candidate[count] = k;
+    block.nx[count] = dx;
+    block.ny[count] = dy;
+    block.overlap[count] = distance2;
+    count += distance2 < within * within ? 1 : 0;  // without a branch: every third candidate or so does not touch
+  }
+  next = k;
+  block.count = count;
+  const double* vx = y.data() + 2 * bodies_;
+  const double* vy = y.data() + 3 * bodies_;
+  for (int i = 0; i < count; ++i) {
+    const int c = block.candidate[i];
+    const int a = list.a[c];
+    const int b = list.b[c];
+    block.a[i] = a;
+    block.b[i] = b;
+    block.law[i] = list.law[c];
+    block.vx[i] = vx[a] - vx[b];
+    block.vy[i] = vy[a] - vy[b];
+    block.radius_a[i] = radius[a];
+    block.radius_b[i] = radius[b];
+    block.reduced_radius[i] = list.reduced_radius[c];
+    block.reduced_mass[i] = list.reduced_mass[c];
+    block.spring[i] = list.slot[c] < 0 ? 0 : y[springs_ + list.slot[c]];
+    block.spin_a[i] = friction_ ? y[spin_of(a)] : 0;
+    block.spin_b[i] = friction_ ? y[spin_of(b)] : 0;
+  }
+}
+
+// Of the candidate's segments the nearest point; of two equally near the first.
+NearestOnSegment System::nearest_border(int candidate, double x, double y, int& segment) const {
+  const Candidates& list = search_.candidates[disc_lattice];
+  const int auxiliary = parts_.lattice[list.b[candidate]].auxiliary_points;
+  NearestOnSegment best{infinity, 0, 0, 0};
+  for (int k = list.first_segment[candidate]; k < list.first_segment[candidate + 1]; ++k) {
+    const int s = list.segment[k];
+    const int i = parts_.border.a[s];
+    const int j = parts_.border.b[s];
+    const int link = parts_.border.link[s];
+    const NearestOnSegment n = nearest_on_segment(x, y, nodes_.x[i], nodes_.y[i], nodes_.x[j], nodes_.y[j], auxiliary,
+                                                  link >= 0 && torn_[link] != 0);
+    if (n.distance2 < best.distance2) {
+      best = n;
+      segment = s;
+    }
+  }
+  return best;
+}
+
+// Contacts of a disc or node with something that does not spin: wall, plate, lattice.
+void System::fill_flat(TouchBlock& block, int& next, ContactKind kind, double t, const State& y) const {
+  const Candidates& list = search_.candidates[kind];
+  const bool of_discs = kind <= disc_lattice;
+  block.kind = kind;
+  int count = 0;
+  int k = next;
+  for (; k < list.count() && count < TouchBlock::capacity; ++k) {
+    const int a = list.a[k];
+    const int b = list.b[k];
+    const double x = of_discs ? y[x_of(a)] : nodes_.x[a];
+    const double height = of_discs ? y[y_of(a)] : nodes_.y[a];
+    const double radius = of_discs ? parts_.disc.radius[a] : 0;
+    double other_vx = 0;
+    double other_vy = 0;
+    double reduced_mass = list.reduced_mass[k];
+    Nearest nearest{};
+    if (kind == disc_lattice) {
+      int segment = 0;
+      const NearestOnSegment n = nearest_border(k, x, height, segment);
+      const double distance = std::sqrt(n.distance2);
+      nearest = {distance, n.dx / distance, n.dy / distance};
+      if (!(distance < radius)) continue;
+      const int i = parts_.border.a[segment];
+      const int j = parts_.border.b[segment];
+      const double near_i = 1 - n.share;
+      const double near_j = n.share;
+      other_vx = near_i * nodes_.vx[i] + near_j * nodes_.vx[j];
+      other_vy = near_i * nodes_.vy[i] + near_j * nodes_.vy[j];
+      const double inverse_i = parts_.node.body[i] < 0 ? 0 : near_i * near_i / parts_.node.mass[i];
+      const double inverse_j = parts_.node.body[j] < 0 ? 0 : near_j * near_j / parts_.node.mass[j];
+      reduced_mass = 1 / (inverse_mass_[a] + inverse_i + inverse_j);
+      block.segment[count] = segment;
+      block.share[count] = n.share;
+    } else if (kind == disc_wall || kind == node_wall) {
+      const WallPart& w = parts_.wall[b];
+      nearest = nearest_on_wall(x, height, w.px, w.py, w.nx, w.ny);
+    } else {
+      const PlatePart& p = parts_.plate[b];
+      const PlateAt at = plate_at(b, t);
+      nearest = nearest_on_rectangle(x, height, at.left, at.left + p.width, at.lower, at.lower + p.height);
+      other_vx = at.vx;
+      other_vy = at.vy;
+    }
+    if (!(nearest.distance < radius)) continue;
+    block.candidate[count] = k;
+    block.a[count] = a;
+    block.b[count] = b;
+    block.law[count] = list.law[k];
+    block.nx[count] = nearest.nx;
+    block.ny[count] = nearest.ny;
+    block.overlap[count] = radius - nearest.distance;
+    block.vx[count] = (of_discs ? y[vx_of(a)] : nodes_.vx[a]) - other_vx;
+    block.vy[count] = (of_discs ? y[vy_of(a)] : nodes_.vy[a]) - other_vy;
+    block.spin_a[count] = of_discs && friction_ ? y[spin_of(a)] : 0;
+    block.spin_b[count] = 0;
+    block.radius_a[count] = radius;
+    block.radius_b[count] = 0;
+    block.reduced_radius[count] = list.reduced_radius[k];
+    block.reduced_mass[count] = reduced_mass;
+    block.spring[count] = list.slot[k] < 0 ? 0 : y[springs_ + list.slot[k]];
+    ++count;
+  }
+  next = k;
+  block.count = count;
+}
+
+// The contact law over a block. Every lane does the same arithmetic, so the compiler may vectorise without changing a bit.
+void System::evaluate(TouchBlock& c) const {
+  if (c.kind == disc_disc) {
+    const double half = 0.5 * lever_;
+    for (int k = 0; k < c.count; ++k) {
+      const double distance = std::sqrt(c.overlap[k]);
+      c.nx[k] = c.nx[k] / distance;
+      c.ny[k] = c.ny[k] / distance;
+      c.overlap[k] = c.radius_a[k] + c.radius_b[k] - distance;
+      c.arm_a[k] = c.radius_a[k] - half * c.overlap[k];
+      c.arm_b[k] = c.radius_b[k] - half * c.overlap[k];
+    }
+  } else {
+    const double lever = c.kind <= disc_lattice ? lever_ : 0;  // a node has no arm
+    for (int k = 0; k < c.count; ++k) {
+      c.arm_a[k] = c.radius_a[k] - lever * c.overlap[k];
+      c.arm_b[k] = 0;
+    }
+  }
+  const auto run = [&](auto rolling, auto law_of) {
+    for (int k = 0; k < c.count; ++k) {
+      c.approach[k] = c.vx[k] * c.nx[k] + c.vy[k] * c.ny[k];
+      c.slip[k] = c.vy[k] * c.nx[k] - c.vx[k] * c.ny[k] + (c.spin_a[k] * c.arm_a[k] + c.spin_b[k] * c.arm_b[k]);
+      const Touch touch{c.overlap[k], c.approach[k],       c.slip[k],        c.spring[k], c.spin_a[k] - c.spin_b[k],
+                        c.reduced_radius[k], c.reduced_mass[k]};
+      const TouchForce f = hertz_mindlin<decltype(rolling)::value>(law_of(k), touch, rolling_smoothing_);
+      c.elastic[k] = f.elastic;
+      c.normal[k] = f.normal;
+      c.tangential[k] = f.tangential;
+      c.moment[k] = f.moment;
+      c.stiffness[k] = f.stiffness;
+      c.shear_stiffness[k] = f.shear_stiffness;
+      c.shear_viscosity[k] = f.shear_viscosity;
+    }
+  };
+  const auto with_rolling = [&](auto law_of) {
+    if (rolling_) {
+      run(std::true_type{}, law_of);
+    } else {
+      run(std::false_type{}, law_of);
+    }
+  };
+  if (parts_.law.size() == 1) {
+    const ContactLaw only = parts_.law.front();
+    with_rolling([only](int) { return only; });
+  } else {
+    with_rolling([this, &c](int k) { return parts_.law[c.law[k]]; });
+  }
+}
+
+void System::rhs(double t, const State& y, State& dydt) const {
+  double* fx = dydt.data() + 2 * bodies_;
+  double* fy = dydt.data() + 3 * bodies_;
+  double* torque = dydt.data() + 4 * bodies_;
+  std::copy(y.begin() + 2 * bodies_, y.begin() + 4 * bodies_, dydt.begin());
+  std::fill(dydt.begin() + 2 * bodies_, dydt.end(), 0.0);
+  std::copy(parts_.node.load_x.begin(), parts_.node.load_x.end(), node_fx_.begin());
+  std::copy(parts_.node.load_y.begin(), parts_.node.load_y.end(), node_fy_.begin());
+  double* work = keeps_ledger_ ? dydt.data() + ledger_ : nullptr;
+
+  for_each_touch(t, y, [&](const TouchBlock& c) {
+    const Candidates& list = search_.candidates[c.kind];
+    for (int k = 0; k < c.count; ++k) {
+      const double force_x = c.force_x(k);
+      const double force_y = c.force_y(k);
+      const int a = c.a[k];
+      double* own_x = c.kind <= disc_lattice ? fx : node_fx_.data();
+      double* own_y = c.kind <= disc_lattice ? fy : node_fy_.data();
+      own_x[a] += force_x;
+      own_y[a] += force_y;
+      if (c.kind == disc_disc) {
+        fx[c.b[k]] -= force_x;
+        fy[c.b[k]] -= force_y;
+      } else if (c.kind == disc_lattice) {
+        const int i = parts_.border.a[c.segment[k]];
+        const int j = parts_.border.b[c.segment[k]];
+        node_fx_[i] -= (1 - c.share[k]) * force_x;
+        node_fy_[i] -= (1 - c.share[k]) * force_y;
+        node_fx_[j] -= c.share[k] * force_x;
+        node_fy_[j] -= c.share[k] * force_y;
+      }
+    }
+    if (friction_) {
+      for (int k = 0; k < c.count; ++k) {
+        const int slot = list.slot[c.candidate[k]];
+        if (slot >= 0) dydt[springs_ + slot] = c.slip[k];
+        if (c.kind <= disc_lattice) torque[c.a[k]] += c.arm_a[k] * c.tangential[k] + c.moment[k];
+        if (c.kind == disc_disc) torque[c.b[k]] += c.arm_b[k] * c.tangential[k] - c.moment[k];
+      }
+    }
+    if (work) add_to_ledger(c, work, t);
+  });
+  add_link_forces(work);
+
+  for (int n = 0; n < parts_.node.count(); ++n) {
+    const int body = parts_.node.body[n];
+    if (body < 0) continue;
+    fx[body] = node_fx_[n];
+    fy[body] = node_fy_[n];
+  }
+  for (int i = 0; i < bodies_; ++i) {
+    fx[i] *= inverse_mass_[i];
+    fy[i] = fy[i] * inverse_mass_[i] - weight_[i];
+  }
+  if (friction_) {
+    for (int i = 0; i < parts_.disc.count(); ++i) torque[i] *= inverse_inertia_[i];
+  }
+}
+
+void System::add_link_forces(double* work) const {
+  const LinkArrays& link = parts_.link;
+  double damping = 0;
+  for (const int k : intact_) {
+    const int a = link.a[k];
+    const int b = link.b[k];
+    const LinkForce f =
+        link_force(nodes_.x[a] - nodes_.x[b], nodes_.y[a] - nodes_.y[b], nodes_.vx[a] - nodes_.vx[b],
+                   nodes_.vy[a] - nodes_.vy[b], link.rest[k], link.stiffness[k], link.damping[k], link.axial[k] != 0);
+    node_fx_[a] += f.fx;
+    node_fy_[a] += f.fy;
+    node_fx_[b] -= f.fx;
+    node_fy_[b] -= f.fy;
+    damping += f.damping;
+  }
+  if (work) work[link_damping] = damping;
+}
+
+// Powers (W) by cause. The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St follows the
+// overlap (1/2 xi^2 dSt/dt, `stiffening`), which no force pays for: a property of Mindlin's law without rescaling.
+void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
+  const bool plate = c.kind == disc_plate || c.kind == node_plate;
+  for (int k = 0; k < c.count; ++k) {
+    work[contact_viscous] += (c.normal[k] - c.elastic[k]) * c.approach[k];
+    if (plate) {
+      const PlateAt at = plate_at(c.b[k], t);
+      work[plate_work] += c.force_x(k) * at.vx + c.force_y(k) * at.vy;
+    }
+    if (!friction_) continue;
+    const bool held = search_.candidates[c.kind].slot[c.candidate[k]] >= 0;
+    const double stored = held ? c.shear_stiffness[k] * c.spring[k] * c.slip[k] : 0;
+    const double lost = -c.tangential[k] * c.slip[k] - stored;
+    const double stick = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
+    work[stick == c.tangential[k] ? contact_viscous : friction_work] += lost;
+    work[rolling_work] -= c.moment[k] * (c.spin_a[k] - c.spin_b[k]);
+    work[stiffening] += 0.25 * c.spring[k] * c.spring[k] * c.shear_stiffness[k] * c.approach[k] / c.overlap[k];
+  }
+}
+
+std::uint64_t System::state_hash(const State& y) const {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  const auto add = [&hash](std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte, word >>= 8) hash = (hash ^ (word & 0xff)) * 0x100000001b3ULL;
+  };
+  for (int k = 0; k < ledger_; ++k) add(std::bit_cast<std::uint64_t>(y[k]));
+  for (const char torn : torn_) add(static_cast<std::uint64_t>(torn));
+  return hash;
+}
+
+}  // namespace furrow

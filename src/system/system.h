@@ -1,0 +1,143 @@
+// A scene made ready: a flat state y and a discrete state (which links are intact, which contacts hold a tangential spring).
+// `rhs` is the flow between events and leaves no trace; `jump` is applied once after each accepted step.
+//
+// State:  [ x, y | vx, vy | spin | tangential springs | ledger ]
+//   x, y, vx, vy  one number for each disc, then for each free node          m, m/s
+//   spin          one for each disc, only if some contact has friction       rad/s
+//   springs       one for each slot, only if some contact has friction       m
+//   ledger        energies handed over since t = 0, only if asked for        J
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "methods/ode.h"
+#include "system/geometry.h"
+#include "system/parts.h"
+#include "system/search.h"
+#include "system/touches.h"
+
+namespace furrow {
+
+enum Ledger { link_damping, contact_viscous, friction_work, rolling_work, tear_energy, plate_work, stiffening };
+inline constexpr int ledger_entries = 7;
+
+struct Tear {
+  double time;   // s
+  int link;
+  double force;  // N, spring force that exceeded the strength
+};
+
+// What a jump changed. A multistep method keeps its history unless the right-hand side has jumped.
+struct JumpReport {
+  std::vector<Tear> torn;
+  bool springs_changed = false;
+  bool flow_jumped() const { return !torn.empty(); }
+};
+
+class System : public OdeSystem {
+ public:
+  explicit System(const Scene& scene);
+
+  std::size_t size() const override { return static_cast<std::size_t>(ledger_ + (keeps_ledger_ ? ledger_entries : 0)); }
+  std::size_t positions() const override { return 2 * static_cast<std::size_t>(bodies_); }
+  std::size_t controlled() const override { return static_cast<std::size_t>(ledger_); }
+  void rhs(double t, const State& y, State& dydt) const override;
+
+  State initial_state() const;
+  JumpReport jump(double t, State& y);
+
+  // While a scene is prepared its plates stand still and its links do not tear.
+  void prepare(bool preparing) { preparing_ = preparing; }
+
+  const Parts& parts() const { return parts_; }
+  const NeighbourSearch& search() const { return search_; }
+  bool torn(int link) const { return torn_[link] != 0; }
+  bool has_friction() const { return friction_; }
+  bool has_rolling() const { return rolling_; }
+  bool keeps_ledger() const { return keeps_ledger_; }
+  double gravity() const { return gravity_; }
+
+  int x_of(int body) const { return body; }
+  int y_of(int body) const { return bodies_ + body; }
+  int vx_of(int body) const { return 2 * bodies_ + body; }
+  int vy_of(int body) const { return 3 * bodies_ + body; }
+  int spin_of(int disc) const { return 4 * bodies_ + disc; }
+  int first_spring() const { return springs_; }
+  int spring_count() const { return slots_; }
+  int ledger_of(Ledger entry) const { return ledger_ + entry; }
+
+  struct PlateAt {
+    double left, lower, vx, vy;
+  };
+  PlateAt plate_at(int plate, double t) const;
+
+  // Position and velocity of all nodes, fixed ones included.
+  struct Nodes {
+    std::vector<double> x, y, vx, vy;
+  };
+  Nodes nodes(const State& y) const;
+
+  // Calls sink(block) for the contacts that touch, kind by kind, sorted by pair, with the forces of the contact law.
+  template <class Sink>
+  void for_each_touch(double t, const State& y, Sink&& sink) const;
+
+  // 64-bit FNV-1a of the bits of positions, velocities, spins, springs and of which links are torn.
+  std::uint64_t state_hash(const State& y) const;
+
+ private:
+  void place_nodes(const State& y) const;
+  Placement placement(double t, const State& y) const;
+  void fill_discs(TouchBlock& block, int& next, const State& y) const;
+  void fill_flat(TouchBlock& block, int& next, ContactKind kind, double t, const State& y) const;
+  void evaluate(TouchBlock& block) const;
+  NearestOnSegment nearest_border(int candidate, double x, double y, int& segment) const;
+  double gap(ContactKind kind, int candidate, double t, const State& y) const;
+  void add_link_forces(double* work) const;
+  void add_to_ledger(const TouchBlock& block, double* work, double t) const;
+  void arm_contacts(double t, const State& y);
+  void return_to_coulomb_limit(double t, State& y, JumpReport& report);
+  void tear_links(double t, State& y, JumpReport& report);
+
+  Parts parts_;
+  double gravity_ = 0;
+  double lever_ = 1;  // 1: arm to the contact point, 0: whole radius
+  double rolling_smoothing_ = 0;
+  bool friction_ = false, rolling_ = false, keeps_ledger_ = false, preparing_ = false;
+  int bodies_ = 0, springs_ = 0, slots_ = 0, ledger_ = 0;
+  std::vector<double> inverse_mass_, inverse_inertia_, weight_;  // by body
+
+  std::vector<Disc> disc_start_;
+  std::vector<char> torn_;
+  std::vector<int> intact_;      // links, ascending
+  std::vector<int> free_slots_;  // last one is taken next
+  std::vector<double> relaxed_;  // room for the springs of a jump
+
+  // Caches: they hold nothing that a result depends on.
+  mutable NeighbourSearch search_;
+  mutable Nodes nodes_;
+  mutable std::vector<double> node_fx_, node_fy_;
+  mutable TouchBlock block_;
+};
+
+template <class Sink>
+void System::for_each_touch(double t, const State& y, Sink&& sink) const {
+  place_nodes(y);
+  search_.update(parts_, placement(t, y));
+  for (int kind = 0; kind < contact_kinds; ++kind) {
+    for (int next = 0; next < search_.candidates[kind].count();) {
+      const auto k = static_cast<ContactKind>(kind);
+      if (kind == disc_disc) {
+        fill_discs(block_, next, y);
+      } else {
+        fill_flat(block_, next, k, t, y);
+      }
+      if (block_.count == 0) continue;
+      evaluate(block_);
+      sink(static_cast<const TouchBlock&>(block_));
+    }
+  }
+}
+
+}  // namespace furrow
