@@ -1,0 +1,70 @@
+// An integration method as the rest of furrow sees it, and the catalogue of methods by name.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "methods/ode.h"
+
+namespace furrow {
+
+struct MethodInfo {
+  std::string name;       // as in `furrow run --method NAME`
+  std::string title;
+  int order = 0;          // for a smooth right-hand side
+  int evaluations = 0;    // of f a step, started and without rejections
+  bool controlled = false;
+};
+
+struct Tolerances {
+  double relative = 1e-6;
+  double absolute = 1e-9;  // m, m/s, rad/s
+  double first_step = 1e-4;  // s
+};
+
+class Method {
+ public:
+  virtual ~Method() = default;
+  Method(const Method&) = delete;
+  Method& operator=(const Method&) = delete;
+
+  // Carries y from t over h, or, for a controlled method, over what it dares, and returns how far (s).
+  // Throws Divergence if no step could be made; y is then as before.
+  virtual double step(const OdeSystem& system, double t, State& y, double h) = 0;
+
+  // The right-hand side has jumped: what is remembered of it is worth nothing.
+  virtual void restart() {}
+
+  // Only the state was touched (a tangential spring returned to its limit); f is as before.
+  virtual void state_changed() {}
+
+  const MethodInfo& info() const { return info_; }
+  long evaluations() const { return evaluations_; }
+  long rejections() const { return rejections_; }
+
+ protected:
+  explicit Method(MethodInfo info) : info_(std::move(info)) {}
+  void evaluate(const OdeSystem& system, double t, const State& y, State& dydt) {
+    ++evaluations_;
+    system.rhs(t, y, dydt);
+  }
+
+  MethodInfo info_;
+  long evaluations_ = 0;
+  long rejections_ = 0;
+};
+
+// All methods, own ones first.
+const std::vector<MethodInfo>& method_catalogue();
+
+// Throws std::invalid_argument that lists the names if there is no such method.
+std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
+
+// The makers, one file each.
+std::unique_ptr<Method> make_pece();
+std::unique_ptr<Method> make_verlet();
+std::unique_ptr<Method> make_runge_kutta_4();
+std::unique_ptr<Method> make_odeint(const std::string& name, const Tolerances& tolerances);
+
+}  // namespace furrow
