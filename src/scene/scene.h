@@ -50,37 +50,37 @@ struct Search {
 
 // Young's modulus and one of Poisson's ratio and shear modulus. A rigid material does not deform at all.
 struct Material {
-  std::string name;
+  std::string name{};
   double density = 1000;           // kg/m^3, used for discs
-  std::optional<double> young;     // Pa
-  std::optional<double> poisson;   // -
-  std::optional<double> shear;     // Pa
+  std::optional<double> young{};     // Pa
+  std::optional<double> poisson{};   // -
+  std::optional<double> shear{};     // Pa
   bool rigid = false;
 };
 
 // Contact parameters of one pair of materials; what is not given is taken from the scene's [contact].
 struct ContactPair {
-  std::vector<std::string> materials;        // the two names; may be equal
-  std::optional<double> damping_factor;      // beta, -
-  std::optional<double> restitution;         // -, another way to give beta
-  std::optional<double> friction;            // mu, -
-  std::optional<double> rolling_friction;    // mu_r, -
+  std::vector<std::string> materials{};        // the two names; may be equal
+  std::optional<double> damping_factor{};      // beta, -
+  std::optional<double> restitution{};         // -, another way to give beta
+  std::optional<double> friction{};            // mu, -
+  std::optional<double> rolling_friction{};    // mu_r, -
 };
 
 struct Contact {
-  std::optional<double> damping_factor;      // beta, -
-  std::optional<double> restitution;         // -
+  std::optional<double> damping_factor{};      // beta, -
+  std::optional<double> restitution{};         // -
   double friction = 0;                       // mu, -
   double rolling_friction = 0;               // mu_r, -
-  std::vector<ContactPair> pair;
+  std::vector<ContactPair> pair{};
 };
 
 struct Disc {
-  Vec2 position;                   // m
+  Vec2 position{};                   // m
   double radius = 0.01;            // m
-  Vec2 velocity;                   // m/s
+  Vec2 velocity{};                   // m/s
   double spin = 0;                 // rad/s, counter-clockwise
-  std::string material;
+  std::string material{};
 };
 
 // Discs put at random, without overlap, into a rectangle. Radii are uniform between radius_min and radius_max.
@@ -88,9 +88,9 @@ struct Packing {
   int count = 1;
   double radius_min = 0.01;        // m
   double radius_max = 0.01;        // m
-  Vec2 lower_left;                 // m
-  Vec2 upper_right;                // m
-  std::string material;
+  Vec2 lower_left{};                 // m
+  Vec2 upper_right{};                // m
+  std::string material{};
   std::uint64_t seed = 1;
 };
 
@@ -103,23 +103,23 @@ struct Settle {
 
 // A half-plane that discs and nodes stay out of: the line through `point`; `normal` points to where they are.
 struct Wall {
-  std::string name;
-  Vec2 point;                      // m
+  std::string name{};
+  Vec2 point{};                      // m
   Vec2 normal{0, 1};               // any length but zero
-  std::string material;
+  std::string material{};
 };
 
 // A rigid rectangle with prescribed motion. Its height is given by `lower_edge`, or by `working_depth` below the surface
 // of the settled discs.
 struct Plate {
-  std::string name;
+  std::string name{};
   double left_edge = 0;                  // m, at t = 0
-  std::optional<double> lower_edge;      // m, at t = 0
-  std::optional<double> working_depth;   // m
+  std::optional<double> lower_edge{};      // m, at t = 0
+  std::optional<double> working_depth{};   // m
   double width = 0.01;                   // m
   double height = 0.1;                   // m
-  Vec2 velocity;                         // m/s
-  std::string material;
+  Vec2 velocity{};                         // m/s
+  std::string material{};
 };
 
 struct LinkKind {
@@ -132,53 +132,53 @@ struct LinkKind {
 struct NodeSetting {
   int row = 0;
   int column = 0;
-  Vec2 displacement;               // m, from its place in the grid, at t = 0
-  Vec2 velocity;                   // m/s, at t = 0
-  Vec2 force;                      // N, constant load
+  Vec2 displacement{};               // m, from its place in the grid, at t = 0
+  Vec2 velocity{};                   // m/s, at t = 0
+  Vec2 force{};                      // N, constant load
 };
 
 // Rows by columns of point masses; row 0 is the lowest, column 0 the leftmost.
 struct Lattice {
-  std::string name;
-  Vec2 origin;                     // m, node of row 0 and column 0
+  std::string name{};
+  Vec2 origin{};                     // m, node of row 0 and column 0
   int rows = 1;
   int columns = 1;
   double spacing = 0.01;           // m
   double node_mass = 1;            // kg
-  std::string material;
+  std::string material{};
   bool gravity = false;            // whether its nodes have weight
-  std::vector<int> fixed_rows;
-  std::vector<int> fixed_columns;
+  std::vector<int> fixed_rows{};
+  std::vector<int> fixed_columns{};
   Damper damper = Damper::axial;
   TearRule tear = TearRule::tension;
   int auxiliary_points = 9;        // on each border segment; 0: the exact nearest point
   double contact_radius = 0.01;    // m, R* of a node against a plate or wall
-  LinkKind structural;
-  LinkKind shear;
-  LinkKind bending;
-  std::vector<NodeSetting> node;
+  LinkKind structural{};
+  LinkKind shear{};
+  LinkKind bending{};
+  std::vector<NodeSetting> node{};
 };
 
 struct Output {
   double interval = 1e-3;          // s, between rows of plate_force.csv and energy.csv
-  std::vector<double> frames;      // s, times of the pictures
+  std::vector<double> frames{};      // s, times of the pictures
   bool energy = true;              // keep the energy ledger
 };
 
 struct Scene {
-  std::string title;
-  Model model;
-  Timing time;
-  Search search;
-  Contact contact;
-  std::vector<Material> material;
-  std::vector<Disc> disc;
-  std::vector<Packing> packing;
-  std::optional<Settle> settle;
-  std::vector<Wall> wall;
-  std::vector<Plate> plate;
-  std::vector<Lattice> lattice;
-  Output output;
+  std::string title{};
+  Model model{};
+  Timing time{};
+  Search search{};
+  Contact contact{};
+  std::vector<Material> material{};
+  std::vector<Disc> disc{};
+  std::vector<Packing> packing{};
+  std::optional<Settle> settle{};
+  std::vector<Wall> wall{};
+  std::vector<Plate> plate{};
+  std::vector<Lattice> lattice{};
+  Output output{};
 };
 
 }  // namespace furrow

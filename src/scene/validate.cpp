@@ -1,0 +1,219 @@
+// Faults of a scene as a whole. The accepted range of each single key stands in schema.h.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "scene/read.h"
+#include "scene/wording.h"
+
+namespace furrow {
+namespace {
+
+bool has(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+
+bool all_fixed(const Lattice& l) {
+  const auto all_in = [](const std::vector<int>& list, int count) {
+    return std::set<int>(list.begin(), list.end()).size() >= static_cast<std::size_t>(count);
+  };
+  return all_in(l.fixed_rows, l.rows) || all_in(l.fixed_columns, l.columns);
+}
+
+enum Kind { disc, plate, wall, fixed_lattice, lattice };
+
+Kind kind_of(const Disc&) { return disc; }
+Kind kind_of(const Packing&) { return disc; }
+Kind kind_of(const Plate&) { return plate; }
+Kind kind_of(const Wall&) { return wall; }
+Kind kind_of(const Lattice& l) { return all_fixed(l) ? fixed_lattice : lattice; }
+
+// For a before b in the order of Kind: discs touch everything, plates touch lattices, walls nodes that can move.
+bool can_meet(Kind a, Kind b) { return a == disc || (a == plate && b >= fixed_lattice) || (a == wall && b == lattice); }
+
+class Validator {
+ public:
+  explicit Validator(const Scene& scene) : scene_(scene) {
+    for (const Material& material : scene.material) materials_.push_back(material.name);
+  }
+
+  std::vector<Problem> problems() {
+    check_timing();
+    check_contact();
+    check_all("material", scene_.material);
+    check_all("disc", scene_.disc);
+    check_all("packing", scene_.packing);
+    check_all("plate", scene_.plate);
+    check_all("wall", scene_.wall);
+    check_all("lattice", scene_.lattice);
+    check_motion();
+    return std::move(problems_);
+  }
+
+ private:
+  void fault(std::string path, std::string message) { problems_.push_back({std::move(path), std::move(message)}); }
+
+  template <class T, class Action>
+  static void each(std::string_view list, const std::vector<T>& items, const Action& action) {
+    for (std::size_t i = 0; i < items.size(); ++i) action(item(list, i), items[i]);
+  }
+
+  // Each thing may be said once; `told` remembers where.
+  template <class Key>
+  void once(std::map<Key, std::string>& told, const Key& key, const std::string& path) {
+    const auto [first, fresh] = told.try_emplace(key, path);
+    if (!fresh) fault(path, "the same as " + first->second);
+  }
+
+  using Number = std::optional<double>;
+  void not_both(const std::string& path, const char* a, const Number& a_given, const char* b, const Number& b_given) {
+    if (a_given && b_given) fault(path + '.' + b, std::string(a) + " is given too; give one of them");
+  }
+
+  void check_timing() {
+    const double step = scene_.time.step, end = scene_.time.end;
+    if (step > end) fault("time.step", "longer than the whole run, whose end is " + shortest(end) + " s");
+    if (scene_.output.interval < step) fault("output.interval", "shorter than time.step, " + shortest(step) + " s");
+    double last = -1;
+    each("output.frames", scene_.output.frames, [&](const std::string& path, double frame) {
+      if (frame > end) fault(path, "after the end of the run, " + shortest(end) + " s");
+      if (frame <= last) fault(path, "not later than the frame before it");
+      last = frame;
+    });
+  }
+
+  void check_contact() {
+    not_both("contact", "damping_factor", scene_.contact.damping_factor, "restitution", scene_.contact.restitution);
+    std::map<std::vector<std::string>, std::string> told;
+    each("contact.pair", scene_.contact.pair, [&](const std::string& path, const ContactPair& pair) {
+      not_both(path, "damping_factor", pair.damping_factor, "restitution", pair.restitution);
+      std::vector<std::string> names = pair.materials;
+      each(path + ".materials", names, [&](const std::string& one, auto& name) { check_material(one, name); });
+      if (names.size() != 2) fault(path + ".materials", "must be two names, not " + std::to_string(names.size()));
+      std::sort(names.begin(), names.end());
+      once(told, names, path + ".materials");
+    });
+  }
+
+  void check_material(const std::string& path, const std::string& name) {
+    if (std::find(materials_.begin(), materials_.end(), name) == materials_.end())
+      fault(path, "no material is named " + in_quotes(name) + nearest_or_all(name, materials_));
+  }
+
+  // Where two rigid parts touch, nothing could deform and there would be no force.
+  void check_rigid(Kind kind, const std::string& material, const std::string& path) {
+    const auto is_its = [&](const Material& m) { return m.rigid && m.name == material; };
+    if (std::none_of(scene_.material.begin(), scene_.material.end(), is_its)) return;
+    for (const auto& [other, place] : rigid_)
+      if (can_meet(other.first, kind) && rigid_pairs_.insert(std::minmax(material, other.second)).second)
+        fault(path, "rigid " + in_quotes(material) + " can meet rigid " + in_quotes(other.second) + " of " + place +
+                        ", where nothing would deform");
+    rigid_.try_emplace({kind, material}, path);
+  }
+
+  template <class Part>
+  void check_all(std::string_view list, const std::vector<Part>& parts) {
+    std::map<std::string, std::string> told;
+    each(list, parts, [&](const std::string& path, const Part& part) {
+      if constexpr (requires { kind_of(part); }) {
+        check_material(path + ".material", part.material);
+        check_rigid(kind_of(part), part.material, path);
+      }
+      if constexpr (requires { part.name; })
+        if (!part.name.empty()) once(told, part.name, path + ".name");
+      check(path, part);
+    });
+  }
+
+  void check(const std::string& path, const Material& m) {
+    if (m.name.empty()) fault(path + ".name", "must not be empty");
+    if (m.rigid) {
+      for (const auto& [key, given] : {std::pair{".young", m.young}, {".poisson", m.poisson}, {".shear", m.shear}})
+        if (given) fault(path + key, "a rigid material has no elastic constants");
+      return;
+    }
+    if (!m.young) fault(path, "young [Pa] is required unless rigid = true");
+    if (!m.poisson && !m.shear) fault(path, "one of poisson and shear [Pa] is required unless rigid = true");
+    not_both(path, "poisson", m.poisson, "shear", m.shear);
+    if (!m.young || !m.shear) return;
+    const double nu = *m.young / (2 * *m.shear) - 1;
+    if (nu <= -1 || nu > 0.5 + 1e-15)  // E = 3 G, an incompressible material, is 0.5 but for the rounding
+      fault(path + ".shear", "young / (2 shear) - 1 = " + shortest(nu) + " is outside -1 < poisson <= 0.5");
+  }
+
+  void check(const std::string& path, const Disc& disc) {
+    const double x = disc.position.x, y = disc.position.y;
+    once(places_, std::pair(x, y), path + ".position");
+    each("wall", scene_.wall, [&](const std::string& its_path, const Wall& w) {
+      if ((x - w.point.x) * w.normal.x + (y - w.point.y) * w.normal.y < 0)
+        fault(path + ".position", "the centre is behind " + its_path);
+    });
+  }
+
+  void check(const std::string& path, const Packing& p) {
+    const double side = std::min(p.upper_right.x - p.lower_left.x, p.upper_right.y - p.lower_left.y);
+    if (p.radius_min > p.radius_max) fault(path + ".radius_min", "above radius_max, " + shortest(p.radius_max) + " m");
+    if (p.seed > INT64_MAX) fault(path + ".seed", "above 2^63 - 1, the largest integer of TOML");
+    if (p.count > 1) check_rigid(disc, p.material, path);  // its discs meet each other
+    if (side <= 0) return fault(path + ".upper_right", "must be above lower_left and to the right of it");
+    if (side < 2 * p.radius_max) fault(path + ".upper_right", "the rectangle is too small for a disc of radius_max");
+  }
+
+  void check(const std::string& path, const Wall& wall) {
+    if (wall.normal == Vec2{}) fault(path + ".normal", "must not be zero");
+  }
+
+  void check(const std::string& path, const Plate& plate) {
+    const bool deep = plate.working_depth.has_value();
+    not_both(path, "lower_edge", plate.lower_edge, "working_depth", plate.working_depth);
+    if (!deep && !plate.lower_edge) fault(path, "one of lower_edge [m] and working_depth [m] is required");
+    if (deep && !has_discs()) fault(path + ".working_depth", "needs a [[disc]] or [[packing]]; or give lower_edge");
+    if (deep && !scene_.settle) fault(path + ".working_depth", "needs [settle]; or give lower_edge");
+  }
+
+  void check(const std::string& path, const Lattice& l) {
+    const auto check_index = [&](const std::string& where, int index, int count) {
+      if (index < 0 || index >= count)
+        fault(where, std::to_string(index) + " is outside the lattice, whose last is " + std::to_string(count - 1));
+    };
+    const auto check_fixed = [&](const std::string& list, const std::vector<int>& lines, int count) {
+      std::map<int, std::string> told;
+      each(list, lines, [&](const std::string& where, int line) {
+        check_index(where, line, count);
+        once(told, line, where);
+      });
+    };
+    check_fixed(path + ".fixed_rows", l.fixed_rows, l.rows);
+    check_fixed(path + ".fixed_columns", l.fixed_columns, l.columns);
+    std::map<std::pair<int, int>, std::string> told;
+    each(path + ".node", l.node, [&](const std::string& where, const NodeSetting& node) {
+      check_index(where + ".row", node.row, l.rows);
+      check_index(where + ".column", node.column, l.columns);
+      once(told, std::pair(node.row, node.column), where);
+      if (!has(l.fixed_rows, node.row) && !has(l.fixed_columns, node.column)) return;
+      if (node.velocity != Vec2{}) fault(where + ".velocity", "the node is fixed");
+      if (node.force != Vec2{}) fault(where + ".force", "the node is fixed");
+    });
+  }
+
+  bool has_discs() const { return !scene_.disc.empty() || !scene_.packing.empty(); }
+
+  void check_motion() {
+    if (scene_.settle && scene_.model.gravity <= 0) fault("settle", "needs model.gravity > 0");
+    if (scene_.settle && !has_discs()) fault("settle", "there is no [[disc]] or [[packing]] to settle");
+    if (!has_discs() && std::all_of(scene_.lattice.begin(), scene_.lattice.end(), all_fixed))
+      fault("", "nothing moves: there is no [[disc]], no [[packing]] and no [[lattice]] with a node that is not fixed");
+  }
+
+  const Scene& scene_;
+  std::vector<std::string> materials_;
+  std::map<std::pair<Kind, std::string>, std::string> rigid_;  // kind and rigid material -> first such part
+  std::set<std::pair<std::string, std::string>> rigid_pairs_;  // told of
+  std::map<std::pair<double, double>, std::string> places_;    // of discs
+  std::vector<Problem> problems_;
+};
+
+}  // namespace
+
+std::vector<Problem> problems_of(const Scene& scene) { return Validator(scene).problems(); }
+
+}  // namespace furrow

@@ -1,0 +1,72 @@
+// Words for messages about scenes: numbers, names in quotes, and the known name that a misspelt one is nearest to.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace furrow {
+
+// The shortest decimal text that reads back as the same double; "inf", "-inf" and "nan" for what is not finite.
+inline std::string shortest(double number) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
+
+inline std::string in_quotes(std::string_view word) { return '"' + std::string(word) + '"'; }
+
+// "lattice[2]", as paths name it.
+inline std::string item(std::string_view list, std::size_t i) {
+  return std::string(list) + '[' + std::to_string(i) + ']';
+}
+
+inline bool printable(char c) { return c >= ' ' && c <= '~'; }
+
+inline std::string joined(const std::vector<std::string>& words, const char* between = ", ") {
+  std::string list;
+  for (const std::string& word : words) list += (&word == &words.front() ? "" : between) + word;
+  return list;
+}
+
+// Number of letters to insert, delete, replace or swap with their neighbour (optimal string alignment distance).
+inline std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    before = above;
+    above = row;
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1])});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+  }
+  return row.back();
+}
+
+// `; did you mean "x"?` with the nearest of the known names, or nothing if more than a third of the letters is wrong.
+inline std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& name : known) {
+    // Lengths alone bound the distance from below; without this a key of a million letters takes a million steps a
+    // name.
+    const std::size_t longer = std::max(name.size(), word.size()), shorter = std::min(name.size(), word.size());
+    if (longer - shorter >= least) continue;
+    const std::size_t distance = edit_distance(word, name);
+    if (distance < least) least = distance, nearest = name;
+  }
+  return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
+}
+
+// The nearest of the known names, or all of them if none is near.
+inline std::string nearest_or_all(std::string_view word, const std::vector<std::string>& known) {
+  const std::string nearest = did_you_mean(word, known);
+  return nearest.empty() && !known.empty() ? "; known: " + joined(known) : nearest;
+}
+
+}  // namespace furrow
