@@ -58,6 +58,7 @@ class System : public OdeSystem {
   bool has_rolling() const { return rolling_; }
   bool keeps_ledger() const { return keeps_ledger_; }
   double gravity() const { return gravity_; }
+  double rolling_smoothing() const { return rolling_smoothing_; }
 
   int x_of(int body) const { return body; }
   int y_of(int body) const { return bodies_ + body; }

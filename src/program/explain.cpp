@@ -1,0 +1,177 @@
+// What of a scene is modelled, what is left out, and what follows from its numbers.
+#include <cmath>
+#include <cstdio>
+
+#include "methods/method.h"
+#include "output/run_files.h"
+#include "program/commands.h"
+#include "program/progress.h"
+#include "program/request.h"
+#include "system/observe.h"
+#include "system/prepare.h"
+#include "system/stiffness.h"
+
+namespace furrow {
+namespace {
+
+void line(const char* part, const std::string& text) { std::printf("  %-22s %s\n", part, text.c_str()); }
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[400];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+std::string count(long n, const std::string& one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
+
+void print_modelled(const Scene& scene, const System& system) {
+  const Parts& parts = system.parts();
+  const bool spins = system.has_friction() && parts.disc.count() > 0;
+  std::printf("\nmodelled (%s of state)\n", count(static_cast<long>(system.size()), "number").c_str());
+  if (parts.disc.count() > 0) {
+    line("discs", format("%d, %d numbers each: x, y, vx, vy%s; masses as %s", parts.disc.count(), spins ? 5 : 4,
+                         spins ? ", spin" : "",
+                         scene.model.disc_mass == DiscMass::disc ? "discs (m = rho pi R^2 b)" : "spheres (m = 4/3 pi rho R^3)"));
+  }
+  if (parts.node.count() > 0) {
+    line("lattice nodes", format("%d free, 4 numbers each; %d fixed, none", parts.free_nodes, parts.node.count() - parts.free_nodes));
+    int of_kind[3] = {0, 0, 0};
+    for (const LinkClass kind : parts.link.kind) ++of_kind[static_cast<int>(kind)];
+    line("links", format("%d: %d structural, %d shear, %d bending; no numbers of their own", parts.link.count(), of_kind[0],
+                         of_kind[1], of_kind[2]));
+  }
+  line("walls, plates", count(static_cast<long>(parts.wall.size()), "wall") + ", " +
+                            count(static_cast<long>(parts.plate.size()), "plate") + "; no numbers: they do not react");
+  if (system.spring_count() > 0) {
+    line("tangential springs", format("room for %d contacts with friction", system.spring_count()));
+  }
+  if (system.keeps_ledger()) line("energy ledger", format("%d numbers (output.energy = false saves them)", ledger_entries));
+}
+
+void print_left_out(const Scene& scene, const System& system) {
+  const Parts& parts = system.parts();
+  std::printf("\nleft out\n");
+  if (!system.has_friction()) line("friction", "every friction coefficient is zero: no spins, no tangential springs");
+  if (system.has_friction() && !system.has_rolling() && parts.disc.count() > 0) {
+    line("rolling resistance", "every rolling friction coefficient is zero");
+  }
+  if (parts.disc.count() == 0) line("neighbour search", "no discs");
+  if (scene.model.gravity == 0) line("gravity", "model.gravity = 0");
+  for (const Lattice& l : scene.lattice) {
+    const std::string name = "lattice " + l.name;
+    if (!l.gravity && scene.model.gravity != 0) line(name.c_str(), "has no weight (gravity = false)");
+    const auto missing = [&](const char* kind, const LinkKind& k) {
+      if (k.stiffness == 0 && k.damping == 0) line(name.c_str(), std::string("has no ") + kind + " links (stiffness and damping 0)");
+      else if (std::isinf(k.strength)) line(name.c_str(), std::string("its ") + kind + " links never tear (no strength given)");
+    };
+    missing("structural", l.structural);
+    missing("shear", l.shear);
+    missing("bending", l.bending);
+  }
+  if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
+  if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
+}
+
+double characteristic_speed(const Scene& scene) {
+  double speed = 0;
+  for (const Plate& p : scene.plate) speed = std::max(speed, std::hypot(p.velocity.x, p.velocity.y));
+  for (const Disc& d : scene.disc) speed = std::max(speed, std::hypot(d.velocity.x, d.velocity.y));
+  return speed > 0 ? speed : 1;
+}
+
+void print_contacts(const Scene& scene, const System& system) {
+  const Parts& parts = system.parts();
+  std::printf("\ncontacts, by pair of materials\n");
+  for (int a = 0; a < parts.materials; ++a) {
+    for (int b = a; b < parts.materials; ++b) {
+      const ContactLaw& law = parts.law[parts.law_of(a, b)];
+      const std::string pair = scene.material[a].name + " - " + scene.material[b].name;
+      if (std::isinf(law.modulus)) {
+        line(pair.c_str(), "both rigid: they must not meet");
+        continue;
+      }
+      const double ratio = law.viscosity / 2;  // c / (2 sqrt(Sn m*)), at any overlap
+      line(pair.c_str(), format("E* = %.6g Pa, G* = %.6g Pa, friction %g, rolling %g", law.modulus, law.shear_modulus,
+                                law.friction, law.rolling));
+      line("", format("damping ratio %.4g at any overlap%s", ratio,
+                      ratio > 1 ? ": beyond critical, a contact does not bounce but creeps back" : ""));
+    }
+  }
+  if (parts.disc.count() == 0) return;
+  int least = 0;
+  for (int i = 0; i < parts.disc.count(); ++i) least = parts.disc.radius[i] < parts.disc.radius[least] ? i : least;
+  const ContactLaw& law = parts.law[parts.law_of(parts.disc.material[least], parts.disc.material[least])];
+  if (std::isinf(law.modulus)) return;
+  const double speed = characteristic_speed(scene);
+  const double radius = parts.disc.radius[least] / 2;
+  const double mass = parts.disc.mass[least] / 2;
+  const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(radius);
+  const double overlap = std::pow(5 * mass * speed * speed / (4 * factor), 0.4);
+  const double stiffness = 2 * law.modulus * std::sqrt(radius * overlap);
+  line("smallest disc", format("R = %g m, m = %.6g kg, I = %.6g kg m^2", parts.disc.radius[least], parts.disc.mass[least],
+                               parts.disc.inertia[least]));
+  // 2.943275 = 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10)
+  line("two of them, elastic", format("closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s", speed,
+                                      overlap, overlap / parts.disc.radius[least], factor * overlap * std::sqrt(overlap),
+                                      2.943275184324047 * overlap / speed));
+  line("critical damping", format("at that overlap: %.4g N s/m; the scene has %.4g N s/m", 2 * std::sqrt(stiffness * mass),
+                                  law.viscosity * std::sqrt(stiffness * mass)));
+}
+
+void print_step(const Scene& scene, const Prepared& prepared) {
+  const System& system = prepared.system;
+  const Observation seen = observe(system, 0, prepared.y);
+  std::printf("\nwhere it stands at t = 0\n");
+  if (prepared.surface) {
+    line("settled", format("after %.3g s; surface at %.4g m", prepared.settling_time, *prepared.surface));
+    for (const Plate& p : prepared.scene.plate) line(("plate " + p.name).c_str(), format("lower edge at %.4g m", *p.lower_edge));
+  }
+  line("contacts", std::to_string(seen.contacts));
+  if (seen.contacts > 0) {
+    line("greatest overlap", format("%.3g m, %.3g of the radius, between %s", seen.overlap.depth, seen.overlap.relative,
+                                    seen.overlap.between.c_str()));
+  }
+  const StiffPart part = stiffest_part(system, 0, prepared.y);
+  std::printf("\nstable step\n");
+  if (part.name.empty()) {
+    line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
+    return;
+  }
+  line("stiffest part", format("%s, %d contacts, its neighbours held%s", part.name.c_str(), part.contacts,
+                               part.spins ? ", its fastest motion a spin" : ""));
+  line("", format("omega = %.4g rad/s, damping ratio %.4g", part.oscillator.omega, part.oscillator.zeta));
+  for (const MethodInfo& m : method_catalogue()) {
+    const double limit = largest_stable_step(m.name, part.oscillator);
+    const bool chosen = m.name == scene.time.method;
+    if (std::isinf(limit)) {
+      line(m.name.c_str(), std::string("chooses its own step") + (chosen ? "   <- the scene's method" : ""));
+    } else {
+      line(m.name.c_str(), format("%.3g s; %.3g s when all neighbours move against it%s", limit, limit / 2,
+                                  chosen ? "   <- the scene's method" : ""));
+    }
+  }
+  const std::vector<std::string> warnings = step_warnings(system, 0, prepared.y, scene.time);
+  line("the scene's step", format("%g s: %s", scene.time.step, warnings.empty() ? "well inside" : "NOT safely inside"));
+  for (const std::string& text : warnings) line("", "warning: " + text);
+}
+
+}  // namespace
+
+int explain_command(const RunOptions& options) {
+  const Scene scene = requested_scene(options);
+  catch_interrupts();
+  Progress progress;
+  const Prepared prepared = prepare(scene, [&](double t, double) {
+    progress.show(options.scene, "settling", t, scene.settle->limit);
+    return !was_interrupted();
+  });
+  std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
+  print_modelled(scene, prepared.system);
+  print_left_out(scene, prepared.system);
+  print_contacts(scene, prepared.system);
+  print_step(scene, prepared);
+  return good;
+}
+
+}  // namespace furrow

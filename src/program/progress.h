@@ -1,0 +1,43 @@
+// Progress of one or more runs on one line of standard error, if that is a terminal; and the interrupt key.
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace furrow {
+
+// From now on an interrupt (or a request to terminate) is only noted; a second one ends the program at once.
+void catch_interrupts();
+bool was_interrupted();
+
+class Progress {
+ public:
+  Progress();
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // Safe to call from several threads.
+  void show(const std::string& name, const std::string& doing, double done, double total);
+
+  // Prints a whole line to standard error without damage to the progress line.
+  void say(const std::string& line);
+
+ private:
+  struct Item {
+    std::string doing;
+    double fraction = 0;
+    std::chrono::steady_clock::time_point began;
+  };
+  void draw();
+
+  std::mutex mutex_;
+  bool terminal_;
+  bool drawn_ = false;
+  std::map<std::string, Item> items_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+}  // namespace furrow

@@ -1,0 +1,112 @@
+#include "system/stiffness.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <vector>
+
+namespace furrow {
+namespace {
+
+using Matrix = Eigen::Matrix3d;
+using Vector = Eigen::Vector3d;
+
+// Of one body, in the mass-weighted coordinates (x sqrt(m), y sqrt(m), angle sqrt(I)).
+struct Body {
+  Matrix stiffness = Matrix::Zero();  // 1/s^2
+  Matrix damping = Matrix::Zero();    // 1/s
+  int contacts = 0;
+};
+
+double greatest_eigenvalue(const Matrix& m) { return Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues()[2]; }
+
+// Fastest decay or oscillation, as a number to compare parts by: |lambda| of the oscillator.
+double fastest_rate(const Oscillator& o) {
+  return o.omega * (o.zeta > 1 ? o.zeta + std::sqrt(o.zeta * o.zeta - 1) : 1);
+}
+
+Oscillator oscillator_of(const Body& body) {
+  const double omega2 = greatest_eigenvalue(body.stiffness);
+  const double rate = greatest_eigenvalue(body.damping);
+  const double omega = std::sqrt(std::max(omega2, 1e-12 * rate * rate));
+  return {omega, omega > 0 ? rate / (2 * omega) : 0};
+}
+
+void add_contacts(const System& system, double t, const State& y, std::vector<Body>& bodies) {
+  const Parts& parts = system.parts();
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k) {
+      const ContactLaw& law = parts.law[c.law[k]];
+      const double viscosity = law.viscosity * std::sqrt(c.stiffness[k] * c.reduced_mass[k]);
+      const double shear = law.friction > 0 ? 1 : 0;
+      const auto add = [&](int body, double mass, double inertia, double arm) {
+        const double root = std::sqrt(mass);
+        const Vector normal(c.nx[k] / root, c.ny[k] / root, 0);
+        const Vector tangent(-c.ny[k] / root, c.nx[k] / root, inertia > 0 ? arm / std::sqrt(inertia) : 0);
+        Body& b = bodies[body];
+        b.stiffness += c.stiffness[k] * normal * normal.transpose() +
+                       shear * c.shear_stiffness[k] * tangent * tangent.transpose();
+        b.damping += viscosity * normal * normal.transpose() + shear * c.shear_viscosity[k] * tangent * tangent.transpose();
+        if (inertia > 0) {
+          b.damping(2, 2) += law.rolling * c.reduced_radius[k] * std::max(c.normal[k], 0.0) /
+                             (system.rolling_smoothing() * inertia);
+        }
+        ++b.contacts;
+      };
+      const auto disc = [&](int i, double arm) { add(i, parts.disc.mass[i], parts.disc.inertia[i], arm); };
+      const auto node = [&](int n, double share) {
+        if (parts.node.body[n] >= 0 && share > 0) add(parts.node.body[n], parts.node.mass[n] / (share * share), 0, 0);
+      };
+      if (c.kind <= disc_lattice) {
+        disc(c.a[k], c.arm_a[k]);
+      } else {
+        node(c.a[k], 1);
+      }
+      if (c.kind == disc_disc) disc(c.b[k], c.arm_b[k]);
+      if (c.kind == disc_lattice) {
+        node(parts.border.a[c.segment[k]], 1 - c.share[k]);
+        node(parts.border.b[c.segment[k]], c.share[k]);
+      }
+    }
+  });
+}
+
+void add_links(const System& system, const State& y, std::vector<Body>& bodies) {
+  const Parts& parts = system.parts();
+  const System::Nodes nodes = system.nodes(y);
+  for (int k = 0; k < parts.link.count(); ++k) {
+    if (system.torn(k)) continue;
+    const int a = parts.link.a[k];
+    const int b = parts.link.b[k];
+    const double rx = nodes.x[a] - nodes.x[b];
+    const double ry = nodes.y[a] - nodes.y[b];
+    const double length = std::sqrt(rx * rx + ry * ry);
+    const Vector along(rx / length, ry / length, 0);
+    for (const int n : {a, b}) {
+      if (parts.node.body[n] < 0) continue;
+      Body& body = bodies[parts.node.body[n]];
+      const Matrix direction = along * along.transpose() / parts.node.mass[n];
+      body.stiffness += parts.link.stiffness[k] * direction;
+      body.damping += parts.link.damping[k] * direction;
+    }
+  }
+}
+
+}  // namespace
+
+StiffPart stiffest_part(const System& system, double t, const State& y) {
+  std::vector<Body> bodies(static_cast<std::size_t>(system.parts().bodies()));
+  add_contacts(system, t, y, bodies);
+  add_links(system, y, bodies);
+  StiffPart stiffest;
+  stiffest.oscillator = {0, 0};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Oscillator o = oscillator_of(bodies[i]);
+    if (!(fastest_rate(o) > fastest_rate(stiffest.oscillator))) continue;
+    stiffest = {o, system.parts().body_name(static_cast<int>(i)), bodies[i].contacts, false};
+    Eigen::SelfAdjointEigenSolver<Matrix> modes(bodies[i].damping);
+    stiffest.spins = std::fabs(modes.eigenvectors()(2, 2)) > 0.7;
+  }
+  return stiffest;
+}
+
+}  // namespace furrow
