@@ -1,0 +1,23 @@
+find_package(GTest REQUIRED)
+find_package(rapidcheck REQUIRED)
+include(GoogleTest)
+
+# furrow_add_tests(label pattern): all sources that match, in this directory and below, make one program LABEL_tests, and
+# each of its tests is known to ctest under LABEL. No sources, no program: a new file joins without an edit here.
+function(furrow_add_tests label pattern)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${pattern})
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${label}_tests ${sources})
+  target_include_directories(${label}_tests PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${label}_tests PRIVATE furrow GTest::gtest_main rapidcheck rapidcheck_gtest)
+  target_compile_definitions(${label}_tests PRIVATE FURROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    FURROW_PROGRAM="${PROJECT_BINARY_DIR}/furrow")
+  if(TARGET furrow_program)
+    add_dependencies(${label}_tests furrow_program)
+  endif()
+  # PRE_TEST: a program that crashes at start fails its tests, not the build.
+  gtest_discover_tests(${label}_tests DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+    XML_OUTPUT_DIR "${PROJECT_BINARY_DIR}/test_results" PROPERTIES LABELS ${label})
+endfunction()

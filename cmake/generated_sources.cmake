@@ -1,0 +1,31 @@
+# Two sources of the library that are written while building: build_info.cpp and embedded.cpp.
+
+set(generated_dir "${PROJECT_BINARY_DIR}/generated")
+
+# The commit changes without any source changing, so the script runs in every build; it touches the file only on change.
+string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+list(JOIN public_options " " public_flags)
+list(JOIN private_options " " private_flags)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${public_flags} ${private_flags}" flags)
+add_custom_target(furrow_build_info
+  COMMAND "${CMAKE_COMMAND}"
+    "-DTEMPLATE=${PROJECT_SOURCE_DIR}/src/output/build_info.cpp.in" "-DOUTPUT=${generated_dir}/build_info.cpp"
+    "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DVERSION=${PROJECT_VERSION}" "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
+    "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DFLAGS=${flags}"
+    "-DSYSTEM=${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}"
+    -P "${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake"
+  BYPRODUCTS "${generated_dir}/build_info.cpp"
+  COMMENT "Noting the commit" VERBATIM)
+
+# Text files that the program needs wherever it is installed. A file is known by its path in the project.
+file(GLOB embedded_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
+  validation/figures/*.gp validation/figures/*.html validation/figures/*.css reference_data/published/*.toml)
+list(TRANSFORM embedded_files PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE embedded_paths)
+add_custom_command(OUTPUT "${generated_dir}/embedded.cpp"
+  COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${generated_dir}/embedded.cpp" "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}"
+    "-DFILES=${embedded_files}" -P "${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake"
+  DEPENDS ${embedded_paths} "${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake"
+  COMMENT "Embedding text files" VERBATIM)
+
+target_sources(furrow PRIVATE "${generated_dir}/build_info.cpp" "${generated_dir}/embedded.cpp")
+add_dependencies(furrow furrow_build_info)
