@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "methods/method.h"
@@ -52,7 +53,8 @@ class LeadingErrorChecker {
     for (std::size_t i = 0; i < *controlled_; ++i) {
       const double scale = tolerances_.absolute + tolerances_.relative * (std::fabs(y[i]) + std::fabs(h * dydt[i]));
       const double error = std::fabs(difference[i]) / scale;
-      greatest = error <= greatest ? greatest : error;  // a NaN becomes the greatest
+      if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();  // odeint takes a NaN for a good step
+      greatest = std::max(greatest, error);
     }
     return greatest;
   }

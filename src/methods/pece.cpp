@@ -19,7 +19,11 @@ class Pece final : public Method {
     const std::size_t n = y.size();
     for (State* room : {&now_, &before_, &predicted_, &next_}) room->resize(n);
     evaluate(system, t, y, now_);
-    const double r = h_before_ > 0 ? h / h_before_ : 0;
+    if (h_before_ == 0) {
+      before_ = now_;
+      h_before_ = h;
+    }
+    const double r = h / h_before_;
     const double on_now = h * (1 + 0.5 * r);
     const double on_before = h * (0.5 * r);
     for (std::size_t i = 0; i < n; ++i) predicted_[i] = y[i] + (on_now * now_[i] - on_before * before_[i]);

@@ -188,19 +188,6 @@ void write_text(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-std::vector<std::string> step_warnings(const System& system, double t, const State& y, const Timing& time) {
-  const StiffPart part = stiffest_part(system, t, y);
-  const double limit = largest_stable_step(time.method, part.oscillator);
-  if (part.name.empty() || time.step <= 0.5 * limit) return {};
-  std::ostringstream text;
-  text.precision(3);
-  text << "the step of " << time.step << " s is " << (time.step > limit ? "beyond" : "near") << " the stability limit of "
-       << time.method << ": " << part.name << " (" << part.contacts << " contacts, damping ratio " << part.oscillator.zeta
-       << ") allows " << limit << " s with its neighbours held, and down to half of that when they move against it; "
-       << "forces may chatter, and the energy residual shows how much";
-  return {text.str()};
-}
-
 RunOutcome run_with_files(const RunRequest& request) {
   const Scene& asked = request.scene;
   claim_directory(request.directory);
@@ -255,7 +242,7 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["settling_steps"] = prepared->settling_steps;
   json["settling_cpu_seconds"] = preparation.cpu();
   json["surface"] = prepared->surface ? nlohmann::ordered_json(*prepared->surface) : nlohmann::ordered_json(nullptr);
-  json["warnings"] = step_warnings(system, 0, y, asked.time);
+  json["warnings"] = step_warnings(system, 0, y, asked.time.method, asked.time.step);
   for (const auto& warning : json["warnings"]) {
     if (request.warn) request.warn(warning.get<std::string>());
   }

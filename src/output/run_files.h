@@ -30,7 +30,4 @@ struct RunOutcome {
 // An earlier run in the directory is replaced; any other content is an error. Throws FileError.
 RunOutcome run_with_files(const RunRequest& request);
 
-// What a user should know before he trusts a run with this step, one text each; empty if there is nothing.
-std::vector<std::string> step_warnings(const System& system, double t, const State& y, const Timing& time);
-
 }  // namespace furrow

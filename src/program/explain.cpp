@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "methods/method.h"
-#include "output/run_files.h"
 #include "program/commands.h"
 #include "program/progress.h"
 #include "program/request.h"
@@ -71,6 +70,13 @@ void print_left_out(const Scene& scene, const System& system) {
   }
   if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
+}
+
+// To count parts: plates at a working depth stand anywhere.
+Scene without_settling(Scene scene) {
+  scene.settle.reset();
+  for (Plate& p : scene.plate) p.lower_edge = p.lower_edge.value_or(0);
+  return scene;
 }
 
 double characteristic_speed(const Scene& scene) {
@@ -151,7 +157,7 @@ void print_step(const Scene& scene, const Prepared& prepared) {
                                   chosen ? "   <- the scene's method" : ""));
     }
   }
-  const std::vector<std::string> warnings = step_warnings(system, 0, prepared.y, scene.time);
+  const std::vector<std::string> warnings = step_warnings(system, 0, prepared.y, scene.time.method, scene.time.step);
   line("the scene's step", format("%g s: %s", scene.time.step, warnings.empty() ? "well inside" : "NOT safely inside"));
   for (const std::string& text : warnings) line("", "warning: " + text);
 }
@@ -162,15 +168,16 @@ int explain_command(const RunOptions& options) {
   const Scene scene = requested_scene(options);
   catch_interrupts();
   Progress progress;
-  const Prepared prepared = prepare(scene, [&](double t, double) {
-    progress.show(options.scene, "settling", t, scene.settle->limit);
-    return !was_interrupted();
-  });
   std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
-  print_modelled(scene, prepared.system);
-  print_left_out(scene, prepared.system);
-  print_contacts(scene, prepared.system);
-  print_step(scene, prepared);
+  const System unsettled = prepare(without_settling(scene)).system;
+  print_modelled(scene, unsettled);
+  print_left_out(scene, unsettled);
+  print_contacts(scene, unsettled);
+  std::fflush(stdout);
+  print_step(scene, prepare(scene, [&](double t, double) {
+               progress.show(options.scene, "settling", t, scene.settle->limit);
+               return !was_interrupted();
+             }));
   return good;
 }
 

@@ -98,6 +98,7 @@ struct Packing {
 struct Settle {
   double speed = 5e-3;             // m/s: settled when for a time `hold` no disc and no node is faster
   double hold = 0.5;               // s
+  std::optional<double> step{};    // s; left out: time.step
   double limit = 20;               // s: it is an error if the scene has not settled by then
 };
 

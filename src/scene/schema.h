@@ -100,6 +100,7 @@ template <class Visitor>
 void describe(Visitor& v, Settle& s) {
   v("speed", s.speed, "m/s", positive);
   v("hold", s.hold, "s", not_negative);
+  v("step", s.step, "s", positive);
   v("limit", s.limit, "s", positive);
 }
 

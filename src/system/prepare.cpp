@@ -6,6 +6,7 @@
 #include "scene/packing.h"
 #include "system/observe.h"
 #include "system/run.h"
+#include "system/stiffness.h"
 
 namespace furrow {
 namespace {
@@ -26,7 +27,8 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   system.prepare(true);
   result.y = system.initial_state();
   const auto method = make_method("pece");
-  const RunPlan plan{.start = 0, .end = placed.settle->limit, .step = placed.time.step};
+  const double step = placed.settle->step.value_or(placed.time.step);
+  const RunPlan plan{.start = 0, .end = placed.settle->limit, .step = step, .stop = {}};
   long steps = 0;
   bool interrupted = false;
   double speed = 0;
@@ -46,7 +48,8 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   }
   if (end.ending == Ending::finished) {
     text << "not settled after " << placed.settle->limit << " s: the fastest body moves at " << speed << " m/s, settle.speed is "
-         << placed.settle->speed << " m/s; raise settle.limit or settle.speed, or shorten time.step";
+         << placed.settle->speed << " m/s; raise settle.limit or settle.speed, or shorten settle.step";
+    for (const std::string& warning : step_warnings(system, end.time, result.y, method->info().name, step)) text << "; " << warning;
     throw Divergence(text.str());
   }
   result.time = end.time;

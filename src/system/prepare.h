@@ -18,7 +18,7 @@ struct Prepared {
 };
 
 // A scene with a plate at a working depth is settled twice: without such plates, to find the surface, then with all of them.
-// Both times by the scene's step and the method pece, plates at rest, links not tearing.
+// Both times by settle.step (or the scene's) and the method pece, plates at rest, links not tearing.
 // `progress(model time, greatest speed)` is called now and then; false stops, and prepare throws Interrupted.
 // Throws std::runtime_error if the scene does not settle within its limit, Divergence if it blows up.
 using SettleProgress = std::function<bool(double t, double speed)>;

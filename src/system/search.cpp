@@ -20,13 +20,15 @@ double least_radius(const Parts& parts) {
 
 double greatest_move(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0) {
   double greatest = 0;
+  double sum = 0;  // not finite if any of them is not
   for (std::size_t i = 0; i < x0.size(); ++i) {
     const double dx = x[i] - x0[i];
     const double dy = y[i] - y0[i];
     const double moved = dx * dx + dy * dy;
-    greatest = moved <= greatest ? greatest : moved;  // a NaN becomes the greatest and stays it
+    greatest = std::max(greatest, moved);
+    sum += moved;
   }
-  return std::sqrt(greatest);
+  return std::isfinite(sum) ? std::sqrt(greatest) : infinity;
 }
 
 // Discs sorted into square cells, by counting.
@@ -80,13 +82,15 @@ class Grid {
 
 NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
     : margin(margin_of_radius * least_radius(parts)),
+      idle_(parts.disc.count() + static_cast<int>(parts.wall.size() + parts.plate.size()) == 0),
       brute_force_(settings.mode == SearchMode::brute_force),
       skin_(settings.skin > 0 ? settings.skin : skin_of_radius * least_radius(parts)),
       cell_size_(settings.cell_size) {}
 
 void NeighbourSearch::update(const Parts& parts, const Placement& now) {
-  if (made_ && (brute_force_ || current(parts, now))) return;
+  if (idle_ || (made_ && !brute_force_ && current(parts, now))) return;
   check_finite(parts, now);
+  if (made_ && brute_force_) return;
   for (int kind = 0; kind < contact_kinds; ++kind) {
     replace(parts, static_cast<ContactKind>(kind), near_pairs(parts, now, static_cast<ContactKind>(kind)));
   }

@@ -67,6 +67,7 @@ class NeighbourSearch {
   void replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near);
   void find_segments(const Parts& parts, const Placement& now);
 
+  bool idle_ = true;  // nothing can ever touch
   bool brute_force_ = false;
   double skin_ = 0;       // m
   double cell_size_ = 0;  // m; 0: the reach

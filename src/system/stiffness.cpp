@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <vector>
+#include <sstream>
 
 namespace furrow {
 namespace {
@@ -107,6 +107,19 @@ StiffPart stiffest_part(const System& system, double t, const State& y) {
     stiffest.spins = std::fabs(modes.eigenvectors()(2, 2)) > 0.7;
   }
   return stiffest;
+}
+
+std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method, double step) {
+  const StiffPart part = stiffest_part(system, t, y);
+  const double limit = largest_stable_step(method, part.oscillator);
+  if (part.name.empty() || step <= 0.5 * limit) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "the step of " << step << " s is " << (step > limit ? "beyond" : "near") << " the stability limit of " << method << ": "
+       << part.name << " (" << part.contacts << " contacts, damping ratio " << part.oscillator.zeta << ") allows " << limit
+       << " s with its neighbours held, and down to half of that when they move against it; forces may chatter, and the energy "
+          "residual shows how much";
+  return {text.str()};
 }
 
 }  // namespace furrow

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "methods/stability.h"
 #include "system/system.h"
@@ -20,5 +21,8 @@ struct StiffPart {
 // and rolling as at rest. Neighbours that move against it can make it up to twice as stiff, never more (Gershgorin).
 // A name is empty if nothing acts on anything.
 StiffPart stiffest_part(const System& system, double t, const State& y);
+
+// What a user should know before he trusts a run with this method and step, one text each; empty if there is nothing.
+std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method, double step);
 
 }  // namespace furrow

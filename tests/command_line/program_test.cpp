@@ -1,0 +1,241 @@
+// The program from outside: exit codes, what goes to which stream, which files are left.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int code;
+  std::string out, err;
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "furrow_program_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    directory_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  // The program runs in a directory of its own; `before` goes in front of it ("timeout -s INT 1").
+  Result furrow(const std::string& arguments, const std::string& before = "") const {
+    const std::string command = "cd '" + directory_.string() + "' && " + before + " '" FURROW_PROGRAM "' " + arguments +
+                                " >stdout.txt 2>stderr.txt </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(directory_ / "stdout.txt"), text_of(directory_ / "stderr.txt")};
+  }
+
+  static std::string scene(const std::string& name) { return "'" FURROW_SOURCE_DIR "/validation/scenes/" + name + ".toml'"; }
+  static std::string bad_scene(const std::string& name) { return "'" FURROW_SOURCE_DIR "/tests/bad_input/" + name + ".toml'"; }
+
+  std::vector<std::string> files(const std::string& below = ".") const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(directory_ / below)) {
+      const std::string name = entry.path().filename();
+      if (entry.is_regular_file() && name != "stdout.txt" && name != "stderr.txt") names.push_back(name);
+    }
+    return names;
+  }
+  bool has(const std::string& file) const { return fs::exists(directory_ / file); }
+
+  fs::path directory_;
+};
+
+TEST_F(Program, RunWritesEveryFileAndPrintsOnlyRunJson) {
+  const Result r = furrow("run " + scene("scenario_1") + " --until 0.4 --out here");
+  ASSERT_EQ(r.code, 0) << r.err;
+  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml", "run.pvd",
+                           "run.json", "frames/frames.csv", "frames/links_001.csv", "frames/links_001.vtp",
+                           "frames/discs_000.vtp", "frames/plates_000.vtp"}) {
+    EXPECT_TRUE(has(std::string("here/") + name)) << name;
+  }
+  for (const std::string& name : files("here")) EXPECT_EQ(name.find(".partial"), std::string::npos) << name;
+  const auto json = nlohmann::json::parse(r.out);
+  EXPECT_EQ(json, nlohmann::json::parse(text_of(directory_ / "here/run.json")));
+  EXPECT_EQ(json["ended"], "finished");
+  EXPECT_EQ(json["steps"], 4000);
+  EXPECT_EQ(json["rhs_evaluations"], 8000);
+  EXPECT_EQ(json["method"], "pece");
+  EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16U);
+}
+
+TEST_F(Program, HeadingsCarryUnits) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.01 --out here").code, 0);
+  std::istringstream force(text_of(directory_ / "here/plate_force.csv"));
+  std::string heading;
+  std::getline(force, heading);
+  EXPECT_EQ(heading, "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]");
+}
+
+TEST_F(Program, RunTwiceGivesTheSameBytes) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.4 --out one").code, 0);
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.4 --out two").code, 0);
+  for (const char* name : {"plate_force.csv", "energy.csv", "events.csv", "state.csv", "frames/links_001.vtp"}) {
+    EXPECT_EQ(text_of(directory_ / "one" / name), text_of(directory_ / "two" / name)) << name;
+  }
+}
+
+TEST_F(Program, OverridesAreTakenAndRecorded) {
+  const Result r = furrow("run " + scene("scenario_1") + " --until 0.05 --method rk4 --dt 2e-4 --out here");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto json = nlohmann::json::parse(r.out);
+  EXPECT_EQ(json["method"], "rk4");
+  EXPECT_EQ(json["steps"], 250);
+  EXPECT_EQ(json["rhs_evaluations"], 1000);
+}
+
+TEST_F(Program, ControlledOdeintMethodRunsAPaperScene) {
+  const Result r = furrow("run " + scene("scenario_1") + " --until 0.1 --method odeint_dopri5 --out here");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NEAR(nlohmann::json::parse(r.out)["ended_at"].get<double>(), 0.1, 1e-12);
+}
+
+TEST_F(Program, BadSceneGetsItsErrorsExitTwoAndNoFiles) {
+  for (const char* name : {"missing_key", "misspelt_key", "not_ascii", "not_toml", "nothing_moves", "out_of_range",
+                           "table_or_list", "two_rigid", "unknown_material", "unknown_word", "wrong_type"}) {
+    for (const char* command : {"run ", "check ", "explain "}) {
+      const Result r = furrow(command + bad_scene(name));
+      EXPECT_EQ(r.code, 2) << command << name;
+      EXPECT_NE(r.err.find(std::string(name) + ".toml:"), std::string::npos) << r.err;
+      EXPECT_NE(r.err.find(": error: "), std::string::npos) << r.err;
+      EXPECT_EQ(r.out, "") << command << name;
+    }
+  }
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Program, CheckGoesOnAfterABadFile) {
+  const Result r = furrow("check " + bad_scene("not_toml") + " " + scene("scenario_2") + " nowhere.toml");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.out.find("scenario_2.toml: ok"), std::string::npos);
+  EXPECT_NE(r.err.find("nowhere.toml"), std::string::npos);
+}
+
+TEST_F(Program, UnknownMethodListsTheKnownOnes) {
+  const Result r = furrow("run " + scene("scenario_1") + " --method eluer");
+  EXPECT_EQ(r.code, 2);
+  EXPECT_NE(r.err.find("pece, verlet, rk4, odeint_rk4"), std::string::npos) << r.err;
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Program, UsageErrorsExitTwo) {
+  EXPECT_EQ(furrow("").code, 2);
+  EXPECT_EQ(furrow("rum x").code, 2);
+  EXPECT_EQ(furrow("run " + scene("scenario_1") + " --dt -1").code, 2);
+  EXPECT_EQ(furrow("run " + scene("scenario_1") + " --dt 5").code, 2);  // longer than the run
+  EXPECT_EQ(furrow("run").code, 2);
+  EXPECT_EQ(furrow("--help").code, 0);
+  EXPECT_EQ(furrow("--version").code, 0);
+}
+
+TEST_F(Program, DivergedRunExitsThreeNamesTheCulpritAndKeepsTheLastGoodState) {
+  const Result r = furrow("run " + scene("scenario_1") + " --dt 0.05 --until 1.2 --out here");
+  EXPECT_EQ(r.code, 3);
+  EXPECT_NE(r.err.find("scenario_1 diverged: node (row "), std::string::npos) << r.err;
+  const auto json = nlohmann::json::parse(r.out);
+  EXPECT_EQ(json["ended"], "diverged");
+  EXPECT_NE(json["reason"].get<std::string>().find("moved"), std::string::npos);
+  EXPECT_TRUE(has("here/state.csv"));
+  EXPECT_TRUE(has("here/plate_force.csv"));
+  EXPECT_EQ(text_of(directory_ / "here/state.csv").find("nan"), std::string::npos);
+}
+
+TEST_F(Program, InterruptMarksFilesPartialAndExits130) {
+  const Result r = furrow("run " + scene("scenario_1") + " --until 1000 --out here", "timeout -s INT 0.5");
+  // timeout passes on its own code 124 unless told otherwise, so ask the files
+  EXPECT_TRUE(has("here/plate_force.csv.partial"));
+  EXPECT_FALSE(has("here/plate_force.csv"));
+  EXPECT_EQ(nlohmann::json::parse(text_of(directory_ / "here/run.json"))["ended"], "interrupted");
+  const Result code = furrow("run " + scene("scenario_1") + " --until 1000 --out there", "timeout --preserve-status -s INT 0.5");
+  EXPECT_EQ(code.code, 130);
+}
+
+TEST_F(Program, ForeignDirectoryIsNotTouched) {
+  fs::create_directory(directory_ / "mine");
+  std::ofstream(directory_ / "mine/letter.txt") << "dear";
+  const Result r = furrow("run " + scene("scenario_1") + " --until 0.01 --out mine");
+  EXPECT_EQ(r.code, 4);
+  EXPECT_NE(r.err.find("choose another --out"), std::string::npos) << r.err;
+  EXPECT_EQ(files("mine"), std::vector<std::string>{"letter.txt"});
+}
+
+TEST_F(Program, EarlierRunIsReplaced) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.4 --out here").code, 0);
+  ASSERT_TRUE(has("here/frames/links_001.csv"));
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.01 --out here").code, 0);
+  EXPECT_FALSE(has("here/frames/links_001.csv"));
+}
+
+TEST_F(Program, UnwritablePlaceExitsFour) {
+  std::ofstream(directory_ / "file") << "x";
+  EXPECT_EQ(furrow("run " + scene("scenario_1") + " --until 0.01 --out file/below").code, 4);
+}
+
+TEST_F(Program, ExplainNamesWhatIsModelledLeftOutAndTheStableStep) {
+  const Result r = furrow("explain " + scene("scenario_1"));
+  ASSERT_EQ(r.code, 0) << r.err;
+  for (const char* part : {"24 free", "6 fixed", "117: ", "E* = 133333 Pa, G* = 40000 Pa", "damping ratio 18.26",
+                           "has no weight (gravity = false)", "neighbour search", "pece", "<- the scene's method"}) {
+    EXPECT_NE(r.out.find(part), std::string::npos) << part << "\n" << r.out;
+  }
+}
+
+// The sphere reading has 75 times less mass: the paper's step is far beyond what its contact damping allows.
+class SphereReading : public Program {
+ protected:
+  void write_scene(const std::string& settle) const {
+    std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_2.toml");
+    const auto replace = [&](const std::string& old, const std::string& with) { text.replace(text.find(old), old.size(), with); };
+    replace("disc_mass = \"disc\"", "disc_mass = \"sphere\"");
+    replace("count = 230", "count = 40");
+    replace("working_depth = 0.04", "working_depth = 0.01");
+    replace("limit = 20.0", settle);
+    std::ofstream(directory_ / "sphere.toml") << text;
+  }
+};
+
+TEST_F(SphereReading, ExplainAndRunWarnOfTheStep) {
+  write_scene("limit = 20.0\nstep = 1e-5");
+  const Result explained = furrow("explain sphere.toml");
+  ASSERT_EQ(explained.code, 0) << explained.err;
+  EXPECT_NE(explained.out.find("NOT safely inside"), std::string::npos) << explained.out;
+  const Result r = furrow("run sphere.toml --until 0.001 --out here");
+  EXPECT_NE(r.err.find("warning: the step of 0.0001 s is beyond the stability limit of pece: disc "), std::string::npos) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(text_of(directory_ / "here/run.json"))["warnings"].size(), 1U);
+}
+
+TEST_F(SphereReading, BedThatDoesNotSettleAtThePapersStepFailsAndSaysWhy) {
+  write_scene("limit = 3.0");
+  const Result r = furrow("run sphere.toml --out here");
+  EXPECT_EQ(r.code, 3);
+  EXPECT_NE(r.err.find("not settled after 3 s"), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("beyond the stability limit of pece: disc "), std::string::npos) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(r.out)["ended"], "diverged");
+}
+
+TEST_F(Program, MethodsListsTheCatalogue) {
+  const Result r = furrow("methods");
+  ASSERT_EQ(r.code, 0);
+  for (const char* name : {"pece", "verlet", "rk4", "odeint_rk4", "odeint_abm2", "odeint_dopri5"}) {
+    EXPECT_NE(r.out.find(std::string("\n") + name + " "), std::string::npos) << name;
+  }
+}
+
+}  // namespace
