@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "system/geometry.h"
 #include "system/system.h"
 
 namespace furrow {
@@ -46,30 +45,10 @@ void System::return_to_coulomb_limit(double t, State& y, JumpReport& report) {
   std::copy(relaxed_.begin(), relaxed_.end(), springs);
 }
 
-double System::gap(ContactKind kind, int candidate, double t, const State& y) const {
-  const Candidates& list = search_.candidates[kind];
-  const int a = list.a[candidate];
-  const int b = list.b[candidate];
-  const bool of_discs = kind <= disc_lattice;
-  const double px = of_discs ? y[x_of(a)] : nodes_.x[a];
-  const double py = of_discs ? y[y_of(a)] : nodes_.y[a];
-  const double radius = of_discs ? parts_.disc.radius[a] : 0;
-  if (kind == disc_lattice) {
-    int segment = 0;
-    return std::sqrt(nearest_border(candidate, px, py, segment).distance2) - radius;
-  }
-  if (kind == disc_wall || kind == node_wall) {
-    const WallPart& w = parts_.wall[b];
-    return nearest_on_wall(px, py, w.px, w.py, w.nx, w.ny).distance - radius;
-  }
-  const PlatePart& p = parts_.plate[b];
-  const PlateAt at = plate_at(b, t);
-  return nearest_on_rectangle(px, py, at.left, at.left + p.width, at.lower, at.lower + p.height).distance - radius;
-}
-
 // Near contacts get a slot, contacts that have long been apart give it back.
 void System::arm_contacts(double t, const State& y) {
   const double* radius = parts_.disc.radius.data();
+  const Placement now = placement(t, y);
   for (int kind = 0; kind < contact_kinds; ++kind) {
     Candidates& list = search_.candidates[kind];
     for (int k = 0; k < list.count(); ++k) {
@@ -79,8 +58,11 @@ void System::arm_contacts(double t, const State& y) {
         const double dy = y[y_of(list.b[k])] - y[y_of(list.a[k])];
         const double within = radius[list.a[k]] + radius[list.b[k]] + search_.margin;
         near = dx * dx + dy * dy < within * within;
+      } else if (kind == disc_lattice) {
+        int segment = 0;
+        near = std::sqrt(nearest_border(now, k, segment).distance2) - radius[list.a[k]] < search_.margin;
       } else {
-        near = gap(static_cast<ContactKind>(kind), k, t, y) < search_.margin;
+        near = flat_gap(parts_, now, static_cast<ContactKind>(kind), list.a[k], list.b[k]).gap < search_.margin;
       }
       if (near) {
         list.quiet[k] = 0;

@@ -8,7 +8,7 @@ namespace {
 
 std::string partner_name(const System& system, const TouchBlock& c, int k) {
   const Parts& parts = system.parts();
-  const std::string own = c.kind <= disc_lattice ? parts.body_name(c.a[k]) : parts.node_name(c.a[k]);
+  const std::string own = of_disc(c.kind) ? parts.body_name(c.a[k]) : parts.node_name(c.a[k]);
   if (c.kind == disc_disc) return own + " and " + parts.body_name(c.b[k]);
   if (c.kind == disc_lattice) return own + " and lattice " + parts.lattice[c.b[k]].name;
   return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b[k]);
@@ -57,7 +57,7 @@ Observation observe(const System& system, double t, const State& y) {
     for (int k = 0; k < c.count; ++k) {
       seen.energy.contact_elastic +=
           elastic_energy(c.elastic[k], c.overlap[k]) + 0.5 * c.shear_stiffness[k] * c.spring[k] * c.spring[k];
-      const double size = c.kind <= disc_lattice ? c.radius_a[k] : parts.node.contact_radius[c.a[k]];
+      const double size = of_disc(c.kind) ? c.radius_a[k] : parts.node.contact_radius[c.a[k]];
       if (c.overlap[k] / size > seen.overlap.relative) {
         seen.overlap = {c.overlap[k], c.overlap[k] / size, partner_name(system, c, k)};
       }
@@ -88,7 +88,7 @@ std::vector<Stress> disc_stresses(const System& system, double t, const State& y
   const DiscArrays& disc = system.parts().disc;
   std::vector<Stress> stress(disc.radius.size(), Stress::Zero());
   system.for_each_touch(t, y, [&](const TouchBlock& c) {
-    if (c.kind > disc_lattice) return;
+    if (!of_disc(c.kind)) return;
     for (int k = 0; k < c.count; ++k) {
       const Eigen::Vector2d normal(c.nx[k], c.ny[k]);
       const Eigen::Vector2d force(c.force_x(k), c.force_y(k));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "system/geometry.h"
+#include "methods/ode.h"
 
 namespace furrow {
 namespace {
@@ -130,40 +130,30 @@ std::vector<NeighbourSearch::Pair> NeighbourSearch::near_pairs(const Parts& part
                                                                ContactKind kind) const {
   std::vector<Pair> near;
   const double reach = brute_force_ ? infinity : margin + skin_;
-  if (kind == disc_disc) near_discs(parts, now, near);
-  const bool of_discs = kind == disc_wall || kind == disc_plate || kind == disc_lattice;
-  const int count = kind == disc_disc ? 0 : of_discs ? parts.disc.count() : parts.node.count();
-  for (int a = 0; a < count; ++a) {
-    if (!of_discs && parts.node.body[a] < 0) continue;  // fixed node and plate or wall: neither of them can give way
-    const double x = of_discs ? now.disc_x[a] : now.node_x[a];
-    const double y = of_discs ? now.disc_y[a] : now.node_y[a];
-    const double radius = of_discs ? parts.disc.radius[a] : 0;
-    if (kind == disc_wall || kind == node_wall) {
-      for (int b = 0; b < static_cast<int>(parts.wall.size()); ++b) {
-        const WallPart& w = parts.wall[b];
-        if (nearest_on_wall(x, y, w.px, w.py, w.nx, w.ny).distance - radius < reach) near.push_back({a, b});
-      }
-    } else if (kind == disc_plate || kind == node_plate) {
-      for (int b = 0; b < static_cast<int>(parts.plate.size()); ++b) {
-        const PlatePart& p = parts.plate[b];
-        const double left = p.left + p.vx * now.t;
-        const double lower = p.lower + p.vy * now.t;
-        const Nearest n = nearest_on_rectangle(x, y, left, left + p.width, lower, lower + p.height);
-        if (n.distance - radius < reach) near.push_back({a, b});
-      }
-    } else {
-      for (int s = 0; s < parts.border.count(); ++s) {
-        const int b = parts.border.lattice[s];
-        if (!near.empty() && near.back().a == a && near.back().b == b) continue;
-        const int i = parts.border.a[s];
-        const int j = parts.border.b[s];
-        const double within = reach + radius;
-        if (nearest_on_segment(x, y, now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], 0, false).distance2 <
-            within * within) {
-          near.push_back({a, b});
-        }
-      }
+  if (kind == disc_disc) {
+    near_discs(parts, now, near);
+    return near;
+  }
+  const bool walls = kind == disc_wall || kind == node_wall;
+  const int others = static_cast<int>(walls ? parts.wall.size() : kind == disc_lattice ? parts.lattice.size() : parts.plate.size());
+  for (int a = 0; a < (of_disc(kind) ? parts.disc.count() : parts.node.count()); ++a) {
+    if (!of_disc(kind) && parts.node.body[a] < 0) continue;  // fixed node and plate or wall: neither of them can give way
+    for (int b = 0; b < others; ++b) {
+      const bool touches = kind == disc_lattice ? !near_segments(parts, now, a, b, reach).empty()
+                                                : flat_gap(parts, now, kind, a, b).gap < reach;
+      if (touches) near.push_back({a, b});
     }
+  }
+  return near;
+}
+
+// Border segments of lattice `lattice` closer to the disc than `reach`.
+std::vector<int> NeighbourSearch::near_segments(const Parts& parts, const Placement& now, int disc, int lattice, double reach) const {
+  std::vector<int> near;
+  const double within = parts.disc.radius[disc] + reach;
+  for (int s = 0; s < parts.border.count(); ++s) {
+    if (parts.border.lattice[s] != lattice) continue;
+    if (segment_distance(parts, now, disc, s, 0, false).distance2 < within * within) near.push_back(s);
   }
   return near;
 }
@@ -201,10 +191,9 @@ void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::v
   Candidates fresh;
   const auto before = [](const Pair& p, const Pair& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
   const auto add = [&](const Pair& p, int slot, std::uint8_t quiet) {
-    const bool of_discs = kind <= disc_lattice;
-    const int own = of_discs ? parts.disc.material[p.a] : parts.node.material[p.a];
-    const double radius = of_discs ? parts.disc.radius[p.a] : parts.node.contact_radius[p.a];
-    const double mass = of_discs ? parts.disc.mass[p.a] : parts.node.mass[p.a];
+    const int own = of_disc(kind) ? parts.disc.material[p.a] : parts.node.material[p.a];
+    const double radius = of_disc(kind) ? parts.disc.radius[p.a] : parts.node.contact_radius[p.a];
+    const double mass = of_disc(kind) ? parts.disc.mass[p.a] : parts.node.mass[p.a];
     fresh.a.push_back(p.a);
     fresh.b.push_back(p.b);
     fresh.slot.push_back(slot);
@@ -240,18 +229,9 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {
   Candidates& list = candidates[disc_lattice];
   list.first_segment.assign(1, 0);
   list.segment.clear();
-  const BorderArrays& border = parts.border;
   for (int k = 0; k < list.count(); ++k) {
-    const int disc = list.a[k];
-    const double within = brute_force_ ? infinity : parts.disc.radius[disc] + margin + skin_;
-    for (int s = 0; s < border.count(); ++s) {
-      if (border.lattice[s] != list.b[k]) continue;
-      const int i = border.a[s];
-      const int j = border.b[s];
-      const NearestOnSegment n = nearest_on_segment(now.disc_x[disc], now.disc_y[disc], now.node_x[i], now.node_y[i],
-                                                    now.node_x[j], now.node_y[j], 0, false);
-      if (n.distance2 < within * within) list.segment.push_back(s);
-    }
+    const std::vector<int> near = near_segments(parts, now, list.a[k], list.b[k], brute_force_ ? infinity : margin + skin_);
+    list.segment.insert(list.segment.end(), near.begin(), near.end());
     list.first_segment.push_back(static_cast<int>(list.segment.size()));
   }
 }

@@ -7,16 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "methods/ode.h"
-#include "scene/scene.h"
-#include "system/parts.h"
+#include "system/surface.h"
 
 namespace furrow {
-
-enum ContactKind { disc_disc, disc_wall, disc_plate, disc_lattice, node_wall, node_plate };
-inline constexpr int contact_kinds = 6;
-inline constexpr std::array<const char*, contact_kinds> contact_kind_names{"disc-disc",    "disc-wall", "disc-plate",
-                                                                           "disc-lattice", "node-wall", "node-plate"};
 
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
 struct Candidates {
@@ -29,15 +22,6 @@ struct Candidates {
   std::vector<int> first_segment;          // disc-lattice: candidate k may touch segment[first_segment[k] ...]
   std::vector<int> segment;
   int count() const { return static_cast<int>(a.size()); }
-};
-
-// Where everything is. Arrays of discs and of nodes (fixed ones too); m, s.
-struct Placement {
-  double t;
-  const double* disc_x;
-  const double* disc_y;
-  const double* node_x;
-  const double* node_y;
 };
 
 class NeighbourSearch {
@@ -63,6 +47,7 @@ class NeighbourSearch {
   void remember(const Parts& parts, const Placement& now);
   void check_finite(const Parts& parts, const Placement& now) const;
   std::vector<Pair> near_pairs(const Parts& parts, const Placement& now, ContactKind kind) const;
+  std::vector<int> near_segments(const Parts& parts, const Placement& now, int disc, int lattice, double reach) const;
   void near_discs(const Parts& parts, const Placement& now, std::vector<Pair>& near) const;
   void replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near);
   void find_segments(const Parts& parts, const Placement& now);

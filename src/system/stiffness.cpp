@@ -56,7 +56,7 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
       const auto node = [&](int n, double share) {
         if (parts.node.body[n] >= 0 && share > 0) add(parts.node.body[n], parts.node.mass[n] / (share * share), 0, 0);
       };
-      if (c.kind <= disc_lattice) {
+      if (of_disc(c.kind)) {
         disc(c.a[k], c.arm_a[k]);
       } else {
         node(c.a[k], 1);

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "physics/link.h"
-#include "system/geometry.h"
 
 namespace furrow {
 namespace {
@@ -162,17 +161,14 @@ void System::fill_discs(TouchBlock& block, int& next, const State& y) const {
 }
 
 // Of the candidate's segments the nearest point; of two equally near the first.
-NearestOnSegment System::nearest_border(int candidate, double x, double y, int& segment) const {
+NearestOnSegment System::nearest_border(const Placement& now, int candidate, int& segment) const {
   const Candidates& list = search_.candidates[disc_lattice];
   const int auxiliary = parts_.lattice[list.b[candidate]].auxiliary_points;
   NearestOnSegment best{infinity, 0, 0, 0};
   for (int k = list.first_segment[candidate]; k < list.first_segment[candidate + 1]; ++k) {
     const int s = list.segment[k];
-    const int i = parts_.border.a[s];
-    const int j = parts_.border.b[s];
     const int link = parts_.border.link[s];
-    const NearestOnSegment n = nearest_on_segment(x, y, nodes_.x[i], nodes_.y[i], nodes_.x[j], nodes_.y[j], auxiliary,
-                                                  link >= 0 && torn_[link] != 0);
+    const NearestOnSegment n = segment_distance(parts_, now, list.a[candidate], s, auxiliary, link >= 0 && torn_[link] != 0);
     if (n.distance2 < best.distance2) {
       best = n;
       segment = s;
@@ -184,26 +180,24 @@ NearestOnSegment System::nearest_border(int candidate, double x, double y, int& 
 // Contacts of a disc or node with something that does not spin: wall, plate, lattice.
 void System::fill_flat(TouchBlock& block, int& next, ContactKind kind, double t, const State& y) const {
   const Candidates& list = search_.candidates[kind];
-  const bool of_discs = kind <= disc_lattice;
+  const Placement now = placement(t, y);
+  const bool disc = of_disc(kind);
   block.kind = kind;
   int count = 0;
   int k = next;
   for (; k < list.count() && count < TouchBlock::capacity; ++k) {
     const int a = list.a[k];
     const int b = list.b[k];
-    const double x = of_discs ? y[x_of(a)] : nodes_.x[a];
-    const double height = of_discs ? y[y_of(a)] : nodes_.y[a];
-    const double radius = of_discs ? parts_.disc.radius[a] : 0;
     double other_vx = 0;
     double other_vy = 0;
     double reduced_mass = list.reduced_mass[k];
-    Nearest nearest{};
+    Gap gap{};
     if (kind == disc_lattice) {
       int segment = 0;
-      const NearestOnSegment n = nearest_border(k, x, height, segment);
+      const NearestOnSegment n = nearest_border(now, k, segment);
       const double distance = std::sqrt(n.distance2);
-      nearest = {distance, n.dx / distance, n.dy / distance};
-      if (!(distance < radius)) continue;
+      gap = {distance - parts_.disc.radius[a], n.dx / distance, n.dy / distance};
+      if (!(gap.gap < 0)) continue;
       const int i = parts_.border.a[segment];
       const int j = parts_.border.b[segment];
       const double near_i = 1 - n.share;
@@ -215,29 +209,27 @@ void System::fill_flat(TouchBlock& block, int& next, ContactKind kind, double t,
       reduced_mass = 1 / (inverse_mass_[a] + inverse_i + inverse_j);
       block.segment[count] = segment;
       block.share[count] = n.share;
-    } else if (kind == disc_wall || kind == node_wall) {
-      const WallPart& w = parts_.wall[b];
-      nearest = nearest_on_wall(x, height, w.px, w.py, w.nx, w.ny);
     } else {
-      const PlatePart& p = parts_.plate[b];
-      const PlateAt at = plate_at(b, t);
-      nearest = nearest_on_rectangle(x, height, at.left, at.left + p.width, at.lower, at.lower + p.height);
-      other_vx = at.vx;
-      other_vy = at.vy;
+      gap = flat_gap(parts_, now, kind, a, b);
+      if (kind == disc_plate || kind == node_plate) {
+        const PlateAt at = plate_at(b, t);
+        other_vx = at.vx;
+        other_vy = at.vy;
+      }
     }
-    if (!(nearest.distance < radius)) continue;
+    if (!(gap.gap < 0)) continue;
     block.candidate[count] = k;
     block.a[count] = a;
     block.b[count] = b;
     block.law[count] = list.law[k];
-    block.nx[count] = nearest.nx;
-    block.ny[count] = nearest.ny;
-    block.overlap[count] = radius - nearest.distance;
-    block.vx[count] = (of_discs ? y[vx_of(a)] : nodes_.vx[a]) - other_vx;
-    block.vy[count] = (of_discs ? y[vy_of(a)] : nodes_.vy[a]) - other_vy;
-    block.spin_a[count] = of_discs && friction_ ? y[spin_of(a)] : 0;
+    block.nx[count] = gap.nx;
+    block.ny[count] = gap.ny;
+    block.overlap[count] = -gap.gap;
+    block.vx[count] = (disc ? y[vx_of(a)] : nodes_.vx[a]) - other_vx;
+    block.vy[count] = (disc ? y[vy_of(a)] : nodes_.vy[a]) - other_vy;
+    block.spin_a[count] = disc && friction_ ? y[spin_of(a)] : 0;
     block.spin_b[count] = 0;
-    block.radius_a[count] = radius;
+    block.radius_a[count] = disc ? parts_.disc.radius[a] : 0;
     block.radius_b[count] = 0;
     block.reduced_radius[count] = list.reduced_radius[k];
     block.reduced_mass[count] = reduced_mass;
@@ -261,7 +253,7 @@ void System::evaluate(TouchBlock& c) const {
       c.arm_b[k] = c.radius_b[k] - half * c.overlap[k];
     }
   } else {
-    const double lever = c.kind <= disc_lattice ? lever_ : 0;  // a node has no arm
+    const double lever = of_disc(c.kind) ? lever_ : 0;  // a node has no arm
     for (int k = 0; k < c.count; ++k) {
       c.arm_a[k] = c.radius_a[k] - lever * c.overlap[k];
       c.arm_b[k] = 0;
@@ -314,8 +306,8 @@ void System::rhs(double t, const State& y, State& dydt) const {
       const double force_x = c.force_x(k);
       const double force_y = c.force_y(k);
       const int a = c.a[k];
-      double* own_x = c.kind <= disc_lattice ? fx : node_fx_.data();
-      double* own_y = c.kind <= disc_lattice ? fy : node_fy_.data();
+      double* own_x = of_disc(c.kind) ? fx : node_fx_.data();
+      double* own_y = of_disc(c.kind) ? fy : node_fy_.data();
       own_x[a] += force_x;
       own_y[a] += force_y;
       if (c.kind == disc_disc) {
@@ -334,7 +326,7 @@ void System::rhs(double t, const State& y, State& dydt) const {
       for (int k = 0; k < c.count; ++k) {
         const int slot = list.slot[c.candidate[k]];
         if (slot >= 0) dydt[springs_ + slot] = c.slip[k];
-        if (c.kind <= disc_lattice) torque[c.a[k]] += c.arm_a[k] * c.tangential[k] + c.moment[k];
+        if (of_disc(c.kind)) torque[c.a[k]] += c.arm_a[k] * c.tangential[k] + c.moment[k];
         if (c.kind == disc_disc) torque[c.b[k]] += c.arm_b[k] * c.tangential[k] - c.moment[k];
       }
     }

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "methods/ode.h"
-#include "system/geometry.h"
 #include "system/parts.h"
 #include "system/search.h"
 #include "system/touches.h"
@@ -93,8 +92,7 @@ class System : public OdeSystem {
   void fill_discs(TouchBlock& block, int& next, const State& y) const;
   void fill_flat(TouchBlock& block, int& next, ContactKind kind, double t, const State& y) const;
   void evaluate(TouchBlock& block) const;
-  NearestOnSegment nearest_border(int candidate, double x, double y, int& segment) const;
-  double gap(ContactKind kind, int candidate, double t, const State& y) const;
+  NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void add_link_forces(double* work) const;
   void add_to_ledger(const TouchBlock& block, double* work, double t) const;
   void arm_contacts(double t, const State& y);

@@ -1,0 +1,57 @@
+// How far a disc or node is from the part that it may touch.
+#pragma once
+
+#include <array>
+
+#include "system/geometry.h"
+#include "system/parts.h"
+
+namespace furrow {
+
+enum ContactKind { disc_disc, disc_wall, disc_plate, disc_lattice, node_wall, node_plate };
+inline constexpr int contact_kinds = 6;
+inline constexpr std::array<const char*, contact_kinds> contact_kind_names{"disc-disc",    "disc-wall", "disc-plate",
+                                                                           "disc-lattice", "node-wall", "node-plate"};
+
+inline bool of_disc(ContactKind kind) { return kind <= disc_lattice; }
+
+// Where everything is. Arrays of discs and of nodes (fixed ones too); m, s.
+struct Placement {
+  double t;
+  const double* disc_x;
+  const double* disc_y;
+  const double* node_x;
+  const double* node_y;
+};
+
+struct Gap {
+  double gap;     // m, between the surfaces; negative: the overlap
+  double nx, ny;  // unit vector from the disc or node to the other part
+};
+
+// Disc or node `a` against wall or plate `b`.
+inline Gap flat_gap(const Parts& parts, const Placement& now, ContactKind kind, int a, int b) {
+  const double x = of_disc(kind) ? now.disc_x[a] : now.node_x[a];
+  const double y = of_disc(kind) ? now.disc_y[a] : now.node_y[a];
+  Nearest n{};
+  if (kind == disc_wall || kind == node_wall) {
+    const WallPart& w = parts.wall[b];
+    n = nearest_on_wall(x, y, w.px, w.py, w.nx, w.ny);
+  } else {
+    const PlatePart& p = parts.plate[b];
+    const double left = p.left + p.vx * now.t;
+    const double lower = p.lower + p.vy * now.t;
+    n = nearest_on_rectangle(x, y, left, left + p.width, lower, lower + p.height);
+  }
+  return {n.distance - (of_disc(kind) ? parts.disc.radius[a] : 0), n.nx, n.ny};
+}
+
+// Disc `a` against the border segment `s`; auxiliary and torn as in nearest_on_segment.
+inline NearestOnSegment segment_distance(const Parts& parts, const Placement& now, int a, int s, int auxiliary, bool torn) {
+  const int i = parts.border.a[s];
+  const int j = parts.border.b[s];
+  return nearest_on_segment(now.disc_x[a], now.disc_y[a], now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], auxiliary,
+                            torn);
+}
+
+}  // namespace furrow
