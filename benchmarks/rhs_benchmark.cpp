@@ -1,5 +1,5 @@
-// Time of one evaluation of the right-hand side, of one jump and of one step of the paper's method, for each scene of the
-// paper where it stands at t = 0. Each benchmark checks its answer: a time for a wrong result is worth nothing.
+// Time of one evaluation of the right-hand side, of one jump and of one step of the paper's method, for each scene of
+// the paper where it stands at t = 0. Each benchmark checks its answer: a time for a wrong result is worth nothing.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -12,7 +12,8 @@
 namespace {
 
 furrow::Scene scene_of(const std::string& name, bool energy) {
-  furrow::Scene scene = furrow::read_scene(std::filesystem::path(FURROW_SOURCE_DIR) / "validation/scenes" / (name + ".toml"));
+  furrow::Scene scene =
+      furrow::read_scene(std::filesystem::path(FURROW_SOURCE_DIR) / "validation/scenes" / (name + ".toml"));
   scene.output.energy = energy;
   return scene;
 }

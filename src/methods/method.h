@@ -10,16 +10,16 @@
 namespace furrow {
 
 struct MethodInfo {
-  std::string name;       // as in `furrow run --method NAME`
+  std::string name;  // as in `furrow run --method NAME`
   std::string title;
-  int order = 0;          // for a smooth right-hand side
-  int evaluations = 0;    // of f a step, started and without rejections
+  int order = 0;        // for a smooth right-hand side
+  int evaluations = 0;  // of f a step, started and without rejections
   bool controlled = false;
 };
 
 struct Tolerances {
   double relative = 1e-6;
-  double absolute = 1e-9;  // m, m/s, rad/s
+  double absolute = 1e-9;    // m, m/s, rad/s
   double first_step = 1e-4;  // s
 };
 

@@ -1,9 +1,9 @@
 // Boost.Odeint behind one adapter: the only file that includes its steppers, which are slow to compile.
 //
-// Traps handled (Boost 1.74): a NaN in the error estimate counts as a good step, so every new state is checked; a controlled
-// step that never succeeds is given up after a bounded number of tries; a first-same-as-last stepper would keep f of a state
-// that a jump has changed, so f is kept here, by the overload that takes it (the one that takes only y does not compile out
-// of place); the ledger takes no part in the error control.
+// Traps handled (Boost 1.74): a NaN in the error estimate counts as a good step, so every new state is checked; a
+// controlled step that never succeeds is given up after a bounded number of tries; a first-same-as-last stepper would
+// keep f of a state that a jump has changed, so f is kept here, by the overload that takes it (the one that takes only
+// y does not compile out of place); the ledger takes no part in the error control.
 #include <algorithm>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
@@ -69,7 +69,9 @@ class ControlledDopri5 final : public Method {
 
  public:
   ControlledDopri5(MethodInfo info, const Tolerances& tolerances)
-      : Method(std::move(info)), proposal_(tolerances.first_step), stepper_(LeadingErrorChecker(tolerances, &controlled_)) {}
+      : Method(std::move(info)),
+        proposal_(tolerances.first_step),
+        stepper_(LeadingErrorChecker(tolerances, &controlled_)) {}
 
   double step(const OdeSystem& system, double t, State& y, double h) override {
     controlled_ = system.controlled();
@@ -123,12 +125,12 @@ std::unique_ptr<Method> make_odeint(const std::string& name, const Tolerances& t
         MethodInfo{name, "Boost.Odeint runge_kutta4", 4, 4, false});
   }
   if (name == "odeint_abm2") {
-    return std::make_unique<FixedOdeint<odeint::adams_bashforth_moulton<2, State>>>(
-        MethodInfo{name, "Boost.Odeint adams_bashforth_moulton<2>: the paper's scheme, started by a step of rk4", 2, 2, false});
+    return std::make_unique<FixedOdeint<odeint::adams_bashforth_moulton<2, State>>>(MethodInfo{
+        name, "Boost.Odeint adams_bashforth_moulton<2>: the paper's scheme, started by a step of rk4", 2, 2, false});
   }
   if (name == "odeint_dopri5") {
-    return std::make_unique<ControlledDopri5>(MethodInfo{name, "Boost.Odeint runge_kutta_dopri5, controlled", 5, 6, true},
-                                              tolerances);
+    return std::make_unique<ControlledDopri5>(
+        MethodInfo{name, "Boost.Odeint runge_kutta_dopri5, controlled", 5, 6, true}, tolerances);
   }
   throw std::invalid_argument("no method '" + name + "' of Boost.Odeint");
 }

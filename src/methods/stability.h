@@ -11,8 +11,8 @@ struct Oscillator {
   double zeta = 0;   // -, damping ratio
 };
 
-// s: the step above which the method's solution grows; infinity for a controlled method, which chooses its own, and for an
-// oscillator that does not move. Within 0.1 %.
+// s: the step above which the method's solution grows; infinity for a controlled method, which chooses its own, and for
+// an oscillator that does not move. Within 0.1 %.
 double largest_stable_step(const std::string& method, const Oscillator& oscillator);
 
 }  // namespace furrow

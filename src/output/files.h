@@ -37,8 +37,8 @@ class OutputFile {
     *this << "\n";
   }
 
-  // Closes the file as it is and keeps the ending .partial; finish() takes it away. Both throw FileError, for example on a
-  // full disk.
+  // Closes the file as it is and keeps the ending .partial; finish() takes it away. Both throw FileError, for example
+  // on a full disk.
   void close();
   void finish();
 

@@ -20,12 +20,14 @@ class PolyData {
  public:
   PolyData(const std::filesystem::path& file, std::size_t points, const char* cells, std::size_t cell_count)
       : file_(file), cells_(cells) {
-    file_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n"
+    file_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+             "byte_order=\"LittleEndian\">\n<PolyData>\n"
           << "<Piece NumberOfPoints=\"" << std::to_string(points) << "\" NumberOf" << cells << "=\""
           << std::to_string(cell_count) << "\">\n";
   }
 
-  void array(const std::string& name, int components, const std::string& type, const std::function<void(OutputFile&)>& values) {
+  void array(const std::string& name, int components, const std::string& type,
+             const std::function<void(OutputFile&)>& values) {
     file_ << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
           << "\" format=\"ascii\">\n";
     values(file_);
@@ -60,7 +62,8 @@ class PolyData {
   std::string cells_;
 };
 
-void write_discs(const std::filesystem::path& directory, std::size_t index, const System& system, double t, const State& y) {
+void write_discs(const std::filesystem::path& directory, std::size_t index, const System& system, double t,
+                 const State& y) {
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   const std::vector<double>& radius = system.parts().disc.radius;
   const int count = system.parts().disc.count();
@@ -106,7 +109,8 @@ void write_links(const std::filesystem::path& directory, std::size_t index, cons
   OutputFile csv(directory / numbered("links", index, ".csv"));
   csv << "x1 [m],y1 [m],x2 [m],y2 [m],force [N],kind\n";
   for (const int k : intact) {
-    csv.row(nodes.x[link.a[k]], nodes.y[link.a[k]], nodes.x[link.b[k]], nodes.y[link.b[k]], force[k], to_string(link.kind[k]));
+    csv.row(nodes.x[link.a[k]], nodes.y[link.a[k]], nodes.x[link.b[k]], nodes.y[link.b[k]], force[k],
+            to_string(link.kind[k]));
   }
   csv.finish();
   PolyData vtk(directory / numbered("links", index, ".vtp"), 2 * intact.size(), "Lines", intact.size());
@@ -141,7 +145,8 @@ void write_plates(const std::filesystem::path& directory, std::size_t index, con
         const System::PlateAt at = system.plate_at(k, t);
         csv.row(at.left, at.lower, p.width, p.height, at.vx, at.vy);
         f << at.left << " " << at.lower << " 0\n" << at.left + p.width << " " << at.lower << " 0\n";
-        f << at.left + p.width << " " << at.lower + p.height << " 0\n" << at.left << " " << at.lower + p.height << " 0\n";
+        f << at.left + p.width << " " << at.lower + p.height << " 0\n"
+          << at.left << " " << at.lower + p.height << " 0\n";
       }
     });
   });
@@ -169,8 +174,8 @@ void Frames::finish() const {
     csv.row(static_cast<int>(k), frames_[k].t, frames_[k].displacement);
     int part = 0;
     for (const char* name : {"discs", "links", "plates"}) {
-      pvd << "<DataSet timestep=\"" << frames_[k].t << "\" part=\"" << part++ << "\" name=\"" << name << "\" file=\"frames/"
-          << numbered(name, k, ".vtp") << "\"/>\n";
+      pvd << "<DataSet timestep=\"" << frames_[k].t << "\" part=\"" << part++ << "\" name=\"" << name
+          << "\" file=\"frames/" << numbered(name, k, ".vtp") << "\"/>\n";
     }
   }
   pvd << "</Collection>\n</VTKFile>\n";

@@ -1,14 +1,10 @@
 #include "output/gnuplot.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <fstream>
+#include <cstdio>
 #include <stdexcept>
 
 #include "output/files.h"
@@ -17,92 +13,80 @@
 namespace furrow {
 namespace {
 
-void replace_all(std::string& text, std::string_view from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
 }
 
-std::string gnuplot_number(double value) { return std::isfinite(value) ? number(value) : "NaN"; }
-
-std::string quoted(std::string_view text) {
-  std::string inside(text);
-  replace_all(inside, "'", "''");
-  return "'" + inside + "'";
+// Never an integer: gnuplot divides those as integers.
+std::string gnuplot_number(double value) {
+  if (!std::isfinite(value)) return "NaN";
+  const std::string text = number(value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-// Runs gnuplot on `script`, its output into `svg`, its complaints into `complaints`; returns its exit status.
-int run_gnuplot(const std::string& script, const std::string& svg, const std::string& complaints) {
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, svg.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, complaints.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  std::string program = "gnuplot", argument = script;
-  char* const arguments[] = {program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, "gnuplot", &files, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (failed == ENOENT) throw std::runtime_error("gnuplot is not installed (or not in PATH): the figures need it");
-  if (failed != 0) throw std::runtime_error(std::string("gnuplot cannot be started: ") + std::strerror(failed));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+std::string gnuplot_text(std::string_view text) { return "'" + replaced(std::string(text), "'", "''") + "'"; }
+
+void run_gnuplot(const std::string& script) {
+  FILE* pipe = popen(("gnuplot '" + replaced(script, "'", "'\\''") + "' 2>&1").c_str(), "r");
+  if (!pipe) throw std::runtime_error("gnuplot cannot be started");
+  std::string said;
+  std::array<char, 256> part{};
+  while (std::fgets(part.data(), part.size(), pipe)) said += part.data();
+  const int status = pclose(pipe);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
+    throw std::runtime_error("gnuplot is not installed (or not in PATH): the figures need it");
+  }
+  if (status != 0) throw std::runtime_error("gnuplot failed on " + script + ": " + said);
 }
 
 }  // namespace
 
-void PlotInput::set(std::string_view name, double value) { text_ << name << " = " << gnuplot_number(value) << "\n"; }
-
-void PlotInput::set(std::string_view name, std::string_view text) { text_ << name << " = " << quoted(text) << "\n"; }
-
-void PlotInput::block(std::string_view name, std::size_t columns, const std::vector<std::vector<double>>& rows) {
-  text_ << "$" << name << " << END_OF_BLOCK\n";
-  const std::vector<double> nothing(columns, std::nan(""));
-  for (const auto& row : rows.empty() ? std::vector{nothing} : rows) {
-    for (const double value : row) text_ << gnuplot_number(value) << " ";
-    text_ << "\n";
-  }
-  text_ << "END_OF_BLOCK\n";
+PlotInput& PlotInput::set(std::string_view name, double value) {
+  text_ += std::string(name) + " = " + gnuplot_number(value) + "\n";
+  return *this;
 }
 
-void PlotInput::labels(std::string_view name, const std::vector<std::pair<std::vector<double>, std::string>>& rows) {
-  text_ << "$" << name << " << END_OF_BLOCK\n";
+PlotInput& PlotInput::set(std::string_view name, std::string_view text) {
+  text_ += std::string(name) + " = " + gnuplot_text(text) + "\n";
+  return *this;
+}
+
+PlotInput& PlotInput::block(std::string_view name, const std::vector<Row>& rows) {
+  text_ += "$" + std::string(name) + " << END_OF_BLOCK\n";
   for (const auto& [values, label] : rows) {
-    for (const double value : values) text_ << gnuplot_number(value) << " ";
-    text_ << '"' << label << "\"\n";
+    for (const double value : values) text_ += gnuplot_number(value) + ",";
+    text_ += '"' + label + "\"\n";
   }
-  if (rows.empty()) text_ << "NaN NaN NaN \"\"\n";
-  text_ << "END_OF_BLOCK\n";
+  if (rows.empty()) text_ += "-1e9,-1e9,-1e9,-1e9\n";
+  text_ += "END_OF_BLOCK\n";
+  return *this;
 }
 
 std::string draw(const PlotInput& input, std::string_view script, const std::filesystem::path& svg,
                  std::string_view description) {
-  const std::string source = svg.string() + ".gp", complaints = svg.string() + ".err";
+  const std::string source = svg.string() + ".gp";
   OutputFile file(source);
-  file << "set encoding utf8\n" << input.text() << script;
+  file << "set encoding utf8\nset datafile separator comma\nset terminal svg\nset output " << gnuplot_text(svg.string()) << "\n"
+       << input.text() << script;
   file.finish();
-  const int status = run_gnuplot(source, svg.string(), complaints);
-  const std::string said = run_file(complaints);
-  std::filesystem::remove(complaints);
-  if (status != 0) throw std::runtime_error("gnuplot failed on " + source + ":\n" + said);
+  run_gnuplot(source);
   std::filesystem::remove(source);
-  return inlined(run_file(svg), svg.stem().string(), description);
+  std::string text = run_text(svg);
+  if (text.find("<svg") == std::string::npos) throw std::runtime_error("gnuplot drew nothing into " + svg.string());
+  text.erase(0, text.find("<svg"));
+  for (const std::string before : {" id='", " id=\"", "href='#", "href=\"#", "url(#"}) {
+    text = replaced(std::move(text), before, before + svg.stem().string() + "_");
+  }
+  text = replaced(std::move(text), "<title>Gnuplot</title>", "");
+  return text.replace(0, 4, "<svg role=\"img\" aria-label=\"" + escaped(description) + "\"");
 }
 
 std::string escaped(std::string_view text) {
-  std::string safe(text);
-  replace_all(safe, "&", "&amp;");
-  replace_all(safe, "<", "&lt;");
-  replace_all(safe, ">", "&gt;");
-  replace_all(safe, "\"", "&quot;");
-  return safe;
-}
-
-std::string inlined(std::string svg, const std::string& prefix, std::string_view description) {
-  const std::size_t start = svg.find("<svg");
-  if (start == std::string::npos) throw std::runtime_error("gnuplot drew nothing for " + prefix);
-  svg.erase(0, start);
-  for (const std::string& before : {" id='", " id=\"", "href='#", "href=\"#", "url(#"}) replace_all(svg, before, before + prefix + "_");
-  replace_all(svg, "<title>Gnuplot</title>", "");
-  return svg.replace(0, 4, "<svg role=\"img\" aria-label=\"" + escaped(description) + "\"");
+  std::string safe = replaced(std::string(text), "&", "&amp;");
+  safe = replaced(replaced(std::move(safe), "<", "&lt;"), ">", "&gt;");
+  return replaced(std::move(safe), "\"", "&quot;");
 }
 
 }  // namespace furrow

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "output/files.h"
@@ -17,9 +17,32 @@
 namespace furrow {
 namespace {
 
+using Window = std::array<double, 2>;  // mm
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double stretch = 50;       // mm, over which local maxima are taken
-constexpr double force_free = 0.01;  // of the run's largest force: about the width of a line in the paper's figures
+
+std::vector<Fact> read_facts(const std::filesystem::path& file) {
+  const auto text_of = [](const nlohmann::ordered_json& value) {
+    if (value.is_number_float()) return number(value.get<double>());
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  };
+  std::vector<Fact> facts;
+  try {
+    const auto json = nlohmann::ordered_json::parse(run_text(file));
+    if (!json.is_object()) throw std::runtime_error(file.string() + ": is not a JSON object");
+    for (const auto& [key, value] : json.items()) {
+      facts.push_back({key, {}, value.is_number_float()});
+      if (value.is_array()) {
+        for (const auto& part : value) facts.back().texts.push_back(text_of(part));
+      } else if (!value.is_null()) {
+        facts.back().texts.push_back(text_of(value));
+      }
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(file.string() + ": " + error.what());
+  }
+  return facts;
+}
 
 ForceCurve force_curve(const Table& table) {
   ForceCurve curve;
@@ -44,143 +67,142 @@ Parts lattices_of(Scene scene) {
 }
 
 std::vector<TornLink> torn_links(const Table& events, const Parts& parts) {
-  using Ends = std::array<int, 4>;
-  std::map<std::pair<std::string, Ends>, int> index;
+  std::map<std::vector<std::string>, int> index;
   for (int k = 0; k < parts.link.count(); ++k) {
-    const int a = parts.link.a[k], b = parts.link.b[k];
-    const std::string& lattice = parts.lattice[parts.node.lattice[a]].name;
-    index[{to_string(parts.link.kind[k]) + " " + lattice,
-           {parts.node.row[a], parts.node.column[a], parts.node.row[b], parts.node.column[b]}}] = k;
+    const int a = parts.link.a[k], b = parts.link.b[k], owner = parts.node.lattice[a];
+    const std::string& name = parts.lattice[owner].name;
+    index[{to_string(parts.link.kind[k]), name.empty() ? std::to_string(owner) : name,
+           std::to_string(parts.node.row[a]), std::to_string(parts.node.column[a]), std::to_string(parts.node.row[b]),
+           std::to_string(parts.node.column[b])}] = k;
   }
   const auto mm = events.numbers("displacement [m]");
-  const auto &kind = events.texts("kind"), &lattice = events.texts("lattice");
-  const auto row_a = events.integers("row a"), column_a = events.integers("column a"), row_b = events.integers("row b"),
-             column_b = events.integers("column b");
   std::vector<TornLink> torn;
   for (std::size_t k = 0; k < mm.size(); ++k) {
-    const auto found = index.find({kind[k] + " " + lattice[k], {row_a[k], column_a[k], row_b[k], column_b[k]}});
-    if (found == index.end()) throw std::runtime_error("events.csv: line " + std::to_string(k + 2) + ": no such link in the scene");
+    std::vector<std::string> key;
+    for (const char* column : {"kind", "lattice", "row a", "column a", "row b", "column b"})
+      key.push_back(events.texts(column)[k]);
+    const auto found = index.find(key);
+    if (found == index.end())
+      throw std::runtime_error(events.file() + ":" + std::to_string(k + 2) + ": no such link in the scene");
     torn.push_back({1e3 * mm[k], found->second});
   }
   return torn;
 }
 
-std::string numbered(const char* kind, int index) {
-  const std::string digits = std::to_string(index);
-  return std::string(kind) + "_" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits + ".csv";
+// Samples [first, last) of a window; none if the run ended before the window does.
+struct Samples {
+  std::size_t first = 0, last = 0;
+};
+
+Samples samples_in(const ForceCurve& c, Window w) {
+  constexpr double slack = 1;  // mm, by which a run may fall short of the window
+  if (!(w[0] <= w[1]) || c.end() < w[1] - slack) return {};
+  return {static_cast<std::size_t>(std::lower_bound(c.mm.begin(), c.mm.end(), w[0]) - c.mm.begin()),
+          static_cast<std::size_t>(std::upper_bound(c.mm.begin(), c.mm.end(), w[1]) - c.mm.begin())};
 }
 
-// NaN if a value is NaN, if the window is empty, or if the run ended before the window does.
-double extreme(const ForceCurve& curve, const std::vector<double>& values, std::array<double, 2> window,
-               const std::function<bool(double, double)>& better) {
-  constexpr double slack = 1;  // mm, less than which a run may fall short of the window
-  double best = nan;
-  if (curve.mm.empty() || curve.mm.back() < window[1] - slack) return nan;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (curve.mm[k] < window[0] || curve.mm[k] > window[1]) continue;
-    if (std::isnan(values[k])) return nan;
-    if (std::isnan(best) || better(values[k], best)) best = values[k];
+// Index of the largest value in magnitude (`sign` -1: the smallest); `last` if there is none or one is NaN.
+std::size_t extreme(const std::vector<double>& values, Samples s, double sign = 1) {
+  std::size_t best = s.last;
+  for (std::size_t k = s.first; k < s.last; ++k) {
+    if (std::isnan(values[k])) return s.last;
+    if (best == s.last || sign * std::abs(values[k]) > sign * std::abs(values[best])) best = k;
   }
   return best;
 }
 
-double largest(const ForceCurve& c, const std::vector<double>& values, std::array<double, 2> window) {
-  return extreme(c, values, window, std::greater<>());
+double value_at(const std::vector<double>& values, Samples s, std::size_t k) { return k == s.last ? nan : values[k]; }
+
+double largest(const std::vector<double>& values, Samples s) {
+  return std::abs(value_at(values, s, extreme(values, s)));
 }
 
-double end_of(const ForceCurve& c) { return c.mm.empty() ? 0 : c.mm.back(); }
-
-// Whether the plate feels nothing, by sample.
-std::vector<bool> free_samples(const ForceCurve& c) {
-  const double limit = force_free * largest(c, c.f, {0, end_of(c)});
-  std::vector<bool> is_free;
-  for (const double f : c.f) is_free.push_back(f <= limit);  // nothing is free if the limit is NaN
-  return is_free;
-}
-
-double first_impact(const ForceCurve& c) {
-  const auto is_free = free_samples(c);
-  const auto begin = std::find(is_free.begin(), is_free.end(), false);
-  const auto end = std::find(begin, is_free.end(), true);
-  if (begin == is_free.end()) return nan;
-  return largest(c, c.fx, {c.mm[static_cast<std::size_t>(begin - is_free.begin())],
-                           end == is_free.end() ? end_of(c) : c.mm[static_cast<std::size_t>(end - is_free.begin())]});
-}
-
-// The longest stretch without force between two contacts, before the split. NaN, NaN if there is none.
-std::array<double, 2> free_flight(const RunRecord& run) {
-  const ForceCurve& c = run.force;
-  const auto is_free = free_samples(c);
-  const double split = split_at(run), last = std::isnan(split) ? end_of(c) : split;
-  std::array<double, 2> best{nan, nan};
-  double begin = nan;
-  bool touched = false;
-  for (std::size_t k = 0; k < is_free.size() && c.mm[k] <= last; ++k) {
-    if (is_free[k] && touched && std::isnan(begin)) begin = c.mm[k];
-    if (is_free[k]) continue;
-    if (!std::isnan(begin) && !(c.mm[k] - begin <= best[1] - best[0])) best = {begin, c.mm[k]};
-    begin = nan;
-    touched = true;
-  }
-  return best;
-}
-
-double force_ratio(const ForceCurve& c, std::array<double, 2> window) {
-  if (end_of(c) < window[1] - 1) return nan;
+double force_ratio(const ForceCurve& c, Samples s) {
   double fx = 0, fy = 0;
-  for (std::size_t k = 0; k < c.mm.size(); ++k) {
-    if (c.mm[k] < window[0] || c.mm[k] > window[1]) continue;
-    fx += std::abs(c.fx[k]);
-    fy += std::abs(c.fy[k]);
-  }
+  for (std::size_t k = s.first; k < s.last; ++k) fx += std::abs(c.fx[k]), fy += std::abs(c.fy[k]);
   return fy > 0 ? fx / fy : nan;
 }
 
-double growth(const ForceCurve& c) {
+// Share of the run in percent.
+double force_free_share(const ForceCurve& c) {
+  return 100 * static_cast<double>(std::count(c.f.begin(), c.f.end(), 0.0)) / static_cast<double>(c.f.size());
+}
+
+// Least-squares exponential through the largest forces per 50 mm: its factor per 100 mm.
+double growth_of_maxima(const ForceCurve& c) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (const Maximum& m : maxima(c, stretch)) {
-    const double x = m.mm / 100, y = std::log(m.f);
+  for (const auto& [mm, f] : maxima(c, 50)) {
+    const double x = mm / 100, y = std::log(f);
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
   return n < 2 ? nan : std::exp((n * sxy - sx * sy) / (n * sxx - sx * sx));
 }
 
-using Torn = std::vector<char>;  // by link
+// The first contact ends where nothing touches the plate for 1 mm or more before the second begins. mm; NaN: never.
+struct Contacts {
+  double first = nan, ended = nan, second = nan;
+};
 
-// Nodes that chains of intact links join to the lowest row (`from_top`: the highest row) of their lattice.
-std::vector<char> joined(const Parts& parts, const Torn& torn, bool from_top) {
+Contacts contacts_of(const ForceCurve& c) {
+  Contacts found;
+  double since = nan;  // mm, start of the stretch without force that we are in
+  for (std::size_t k = 0; k < c.mm.size(); ++k) {
+    if (!(c.f[k] > 0)) {
+      if (std::isnan(since)) since = c.mm[k];
+      continue;
+    }
+    if (std::isnan(found.first)) {
+      found.first = c.mm[k];
+    } else if (c.mm[k] - since >= 1) {
+      return {found.first, since, c.mm[k]};
+    }
+    since = nan;
+  }
+  return found;
+}
+
+// How many nodes chains of intact links join to the lowest row and to the highest, or none if they are the same nodes.
+struct Pieces {
+  int low = 0, high = 0;
+};
+
+Pieces pieces_of(const Parts& parts, const std::vector<char>& torn) {
   std::vector<int> top(parts.lattice.size(), 0);
-  for (int k = 0; k < parts.node.count(); ++k) top[parts.node.lattice[k]] = std::max(top[parts.node.lattice[k]], parts.node.row[k]);
-  std::vector<char> reached(parts.node.row.size());
-  for (int k = 0; k < parts.node.count(); ++k) reached[k] = parts.node.row[k] == (from_top ? top[parts.node.lattice[k]] : 0);
+  for (int k = 0; k < parts.node.count(); ++k) {
+    int& row = top[parts.node.lattice[k]];
+    row = std::max(row, parts.node.row[k]);
+  }
+  std::vector<int> joined(parts.node.row.size());  // to the lowest row: 1, to the highest: 2
+  for (int k = 0; k < parts.node.count(); ++k) {
+    joined[k] = (parts.node.row[k] == 0 ? 1 : 0) | (parts.node.row[k] == top[parts.node.lattice[k]] ? 2 : 0);
+  }
   for (bool grown = true; grown;) {
     grown = false;
     for (int k = 0; k < parts.link.count(); ++k) {
-      char &a = reached[parts.link.a[k]], &b = reached[parts.link.b[k]];
+      int &a = joined[parts.link.a[k]], &b = joined[parts.link.b[k]];
       if (torn[k] || a == b) continue;
-      a = b = 1;
+      a = b = a | b;
       grown = true;
     }
   }
-  return reached;
+  if (std::count(joined.begin(), joined.end(), 3) > 0) return {};
+  return {static_cast<int>(std::count(joined.begin(), joined.end(), 1)),
+          static_cast<int>(std::count(joined.begin(), joined.end(), 2))};
 }
 
+// Displacement of the plate from which no chain of links joins the lowest row of a lattice to the highest. mm; NaN:
+// never.
 struct Split {
   double mm = nan;
-  std::string pieces;
+  Pieces pieces;
 };
 
 Split split_of(const RunRecord& run) {
-  const Parts& parts = run.lattices;
-  Torn torn(parts.link.a.size());
+  std::vector<char> torn(run.lattices.link.a.size());
   for (const TornLink& t : run.torn) {
     torn[t.link] = 1;
-    const auto low = joined(parts, torn, false), high = joined(parts, torn, true);
-    bool apart = true;
-    for (std::size_t k = 0; k < low.size(); ++k) apart = apart && !(low[k] && high[k]);
-    if (!apart) continue;
-    const auto count = [](const std::vector<char>& piece) { return std::to_string(std::count(piece.begin(), piece.end(), 1)); };
-    return {t.mm, count(low) + " below, " + count(high) + " above, of " + std::to_string(low.size())};
+    const Pieces pieces = pieces_of(run.lattices, torn);
+    if (pieces.low + pieces.high > 0) return {t.mm, pieces};
   }
   return {};
 }
@@ -189,33 +211,24 @@ double fixed_links_torn(const RunRecord& run) {
   int left = 0;
   for (int k = 0; k < run.lattices.link.count(); ++k) left += half_fixed(run.lattices, k);
   for (const TornLink& t : run.torn) {
-    left -= half_fixed(run.lattices, t.link);
-    if (left == 0) return t.mm;
+    if (half_fixed(run.lattices, t.link) && --left == 0) return t.mm;
   }
   return nan;
 }
 
-const TornLink* first_structural(const RunRecord& run) {
-  for (const TornLink& t : run.torn) {
-    if (run.lattices.link.kind[t.link] == LinkClass::structural) return &t;
-  }
-  return nullptr;
-}
-
 std::string place_of(const Parts& parts, int link) {
-  const int a = parts.link.a[link], b = parts.link.b[link];
   const auto node = [&](int k) {
     return "row " + std::to_string(parts.node.row[k] + 1) + ", column " + std::to_string(parts.node.column[k] + 1) +
            (parts.node.body[k] < 0 ? " (fixed)" : "");
   };
-  return node(a) + " to " + node(b);
+  return node(parts.link.a[link]) + " to " + node(parts.link.b[link]);
 }
 
-bool node_in_plate(const Frame& frame) {
+bool linked_node_in_plate(const Frame& frame) {
   const auto left = frame.plates.numbers("left [m]"), lower = frame.plates.numbers("lower [m]"),
              width = frame.plates.numbers("width [m]"), height = frame.plates.numbers("height [m]");
-  for (const char* end : {"1", "2"}) {
-    const auto x = frame.links.numbers("x" + std::string(end) + " [m]"), y = frame.links.numbers("y" + std::string(end) + " [m]");
+  for (const std::string end : {"1", "2"}) {
+    const auto x = frame.links.numbers("x" + end + " [m]"), y = frame.links.numbers("y" + end + " [m]");
     for (std::size_t k = 0; k < x.size(); ++k) {
       for (std::size_t p = 0; p < left.size(); ++p) {
         if (x[k] > left[p] && x[k] < left[p] + width[p] && y[k] > lower[p] && y[k] < lower[p] + height[p]) return true;
@@ -226,95 +239,71 @@ bool node_in_plate(const Frame& frame) {
 }
 
 Measured plate_meets_lattice(const RunRecord& run) {
+  const auto mm = [&](std::size_t frame) { return std::to_string(std::lround(run.frames[frame].mm)); };
   for (std::size_t k = 0; k < run.frames.size(); ++k) {
-    if (!node_in_plate(run.frames[k])) continue;
-    const auto mm = [&](std::size_t frame) { return std::to_string(std::lround(run.frames[frame].mm)); };
-    return {nan, k == 0 ? "at the start" : "between " + mm(k - 1) + " and " + mm(k)};
+    if (linked_node_in_plate(run.frames[k])) {
+      return {.words = k == 0 ? "at the start" : "between " + mm(k - 1) + " and " + mm(k) + " mm"};
+    }
   }
-  return {};
+  return {.words = "in no snapshot"};
 }
 
-using Observable = std::function<Measured(const RunRecord&, std::array<double, 2> window)>;
+// For what need not happen in a run at all, other than what a run does not say.
+Measured if_ever(double mm) { return {mm, std::isnan(mm) ? "not by the end" : ""}; }
 
-// Every observable that a statement may name.
-const std::map<std::string, Observable, std::less<>>& observables() {
-  using Window = std::array<double, 2>;
-  const auto after_split = [](const RunRecord& r, bool smallest) {
-    const double split = split_at(r);
-    if (std::isnan(split)) return nan;
-    const Window window{split, end_of(r.force)};
-    return smallest ? extreme(r.force, r.force.f, window, std::less<>()) : largest(r.force, r.force.f, window);
-  };
-  const auto second_contact = [](const RunRecord& r, std::vector<double> values) {
-    for (double& v : values) v = std::abs(v);
-    return largest(r.force, values, {free_flight(r)[1], end_of(r.force)});
-  };
-  static const std::map<std::string, Observable, std::less<>> all{
-      {"largest_force", [](auto& r, Window w) { return Measured{largest(r.force, r.force.f, w), ""}; }},
-      {"largest_force_at",
-       [](auto& r, Window w) {
-         const auto at = std::find(r.force.f.begin(), r.force.f.end(), largest(r.force, r.force.f, w));
-         return Measured{at == r.force.f.end() ? nan : r.force.mm[static_cast<std::size_t>(at - r.force.f.begin())], ""};
-       }},
-      {"first_impact", [](auto& r, Window) { return Measured{first_impact(r.force), ""}; }},
-      {"free_flight_begins", [](auto& r, Window) { return Measured{free_flight(r)[0], ""}; }},
-      {"free_flight_ends", [](auto& r, Window) { return Measured{free_flight(r)[1], ""}; }},
-      {"second_contact_fx", [=](auto& r, Window) { return Measured{second_contact(r, r.force.fx), ""}; }},
-      {"second_contact_fy", [=](auto& r, Window) { return Measured{second_contact(r, r.force.fy), ""}; }},
-      {"force_ratio", [](auto& r, Window w) { return Measured{force_ratio(r.force, w), ""}; }},
-      {"force_free_share",
-       [](auto& r, Window) {
-         const auto is_free = free_samples(r.force);
-         const auto count = static_cast<double>(std::count(is_free.begin(), is_free.end(), true));
-         return Measured{is_free.empty() ? nan : 100 * count / static_cast<double>(is_free.size()), ""};
-       }},
-      {"growth_of_maxima", [](auto& r, Window) { return Measured{growth(r.force), ""}; }},
-      {"first_tear", [](auto& r, Window) { return Measured{r.torn.empty() ? nan : r.torn[0].mm, ""}; }},
-      {"first_structural_tear",
-       [](auto& r, Window) { return Measured{first_structural(r) ? first_structural(r)->mm : nan, ""}; }},
-      {"first_structural_tear_place",
-       [](auto& r, Window) {
-         return Measured{nan, first_structural(r) ? place_of(r.lattices, first_structural(r)->link) : ""};
-       }},
-      {"fixed_links_torn", [](auto& r, Window) { return Measured{fixed_links_torn(r), ""}; }},
-      {"split", [](auto& r, Window) { return Measured{split_at(r), ""}; }},
-      {"pieces", [](auto& r, Window) { return Measured{nan, split_of(r).pieces}; }},
-      {"plate_meets_lattice", [](auto& r, Window) { return plate_meets_lattice(r); }},
-      {"smallest_force_after_split", [=](auto& r, Window) { return Measured{after_split(r, true), ""}; }},
-      {"largest_force_after_split", [=](auto& r, Window) { return Measured{after_split(r, false), ""}; }},
-  };
-  return all;
+Measured lattice_observable(const RunRecord& run, const std::string& name) {
+  const ForceCurve& c = run.force;
+  const auto structural = [&](const TornLink& t) { return run.lattices.link.kind[t.link] == LinkClass::structural; };
+  const auto first = std::find_if(run.torn.begin(), run.torn.end(), structural);
+  const bool any = first != run.torn.end();
+  if (name == "first_tear") return if_ever(run.torn.empty() ? nan : run.torn[0].mm);
+  if (name == "first_structural_tear") return if_ever(any ? first->mm : nan);
+  if (name == "first_structural_tear_place") return {.words = any ? place_of(run.lattices, first->link) : "none torn"};
+  if (name == "fixed_links_torn") return if_ever(fixed_links_torn(run));
+  if (name == "plate_meets_lattice") return plate_meets_lattice(run);
+
+  const Split split = split_of(run);
+  if (name == "split") return if_ever(split.mm);
+  const Samples after = samples_in(c, {split.mm, c.end()});
+  const std::string none = std::isnan(split.mm) ? "no split" : "";
+  if (name == "smallest_force_after_split") return {value_at(c.f, after, extreme(c.f, after, -1)), none};
+  if (name == "largest_force_after_split") return {largest(c.f, after), none};
+  if (name != "pieces") throw std::invalid_argument("there is no observable '" + name + "'");
+  if (!none.empty()) return {.words = none};
+  return {.words = std::to_string(split.pieces.low) + " below, " + std::to_string(split.pieces.high) + " above, of " +
+                   std::to_string(run.lattices.node.count())};
 }
 
 }  // namespace
 
+const Fact* RunRecord::fact(std::string_view key) const {
+  const auto found = std::find_if(facts.begin(), facts.end(), [&](const Fact& f) { return f.key == key; });
+  return found == facts.end() ? nullptr : &*found;
+}
+
+bool RunRecord::finished() const {
+  const Fact* ended = fact("ended");
+  return ended && ended->texts == std::vector<std::string>{"finished"};
+}
+
 RunRecord read_run(const std::string& name, const std::filesystem::path& directory) {
   RunRecord run;
   run.name = name;
-  const auto facts = directory / "run.json";
-  try {
-    run.facts = nlohmann::json::parse(run_file(facts));
-  } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(facts.string() + ": " + error.what());
-  }
-  if (!run.facts.is_object()) throw std::runtime_error(facts.string() + ": is not a JSON object");
-  const auto scene = directory / "scene.toml";
-  run.scene = parse_scene(run_file(scene), scene.string());
+  const auto scene = directory / "scene.toml", frames = directory / "frames";
+  run.facts = read_facts(directory / "run.json");
+  run.scene = parse_scene(run_text(scene), scene.string());
   run.lattices = lattices_of(run.scene);
+  if (!run.fact("steps")) return run;
   run.force = force_curve(Table(directory / "plate_force.csv"));
   run.energy = Table(directory / "energy.csv");
-  try {
-    run.torn = torn_links(Table(directory / "events.csv"), run.lattices);
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(directory.string() + ": " + error.what());
-  }
-  const auto frames = directory / "frames";
+  run.torn = torn_links(Table(directory / "events.csv"), run.lattices);
   const Table list(frames / "frames.csv");
-  const auto index = list.integers("index");
   const auto displacement = list.numbers("displacement [m]");
-  for (std::size_t k = 0; k < index.size(); ++k) {
-    run.frames.push_back({1e3 * displacement[k], Table(frames / numbered("discs", index[k])),
-                          Table(frames / numbered("links", index[k])), Table(frames / numbered("plates", index[k]))});
+  for (std::size_t k = 0; k < list.rows(); ++k) {
+    const std::string& index = list.texts("index")[k];
+    const std::string ending = "_" + std::string(index.size() < 3 ? 3 - index.size() : 0, '0') + index + ".csv";
+    run.frames.push_back({1e3 * displacement[k], Table(frames / ("discs" + ending)), Table(frames / ("links" + ending)),
+                          Table(frames / ("plates" + ending))});
   }
   return run;
 }
@@ -325,14 +314,24 @@ Publication read_publication(std::string_view text) {
     Publication publication{root["title"].value_or(std::string()), {}};
     const toml::array* entries = root["statement"].as_array();
     for (std::size_t k = 0; entries && k < entries->size(); ++k) {
-      const toml::table& entry = *entries->get(k)->as_table();
-      const auto words = [&](const char* key) { return entry[key].value_or(std::string()); };
-      Statement s{words("id"), words("scene"), words("quantity"), words("unit"), words("relation"), words("where"),
-                  words("read"), words("observable"), words("ours"), words("mark"), {}, {}, {}, {}};
-      s.words = words("value");
-      s.value = entry["value"].is_string() ? nan : entry["value"].value_or(nan);
+      const toml::node_view entry(*entries->get(k));
+      Statement s;
+      for (const auto& [key, field] : {std::pair{"id", &s.id},
+                                       {"scene", &s.scene},
+                                       {"quantity", &s.quantity},
+                                       {"value", &s.words},
+                                       {"unit", &s.unit},
+                                       {"relation", &s.relation},
+                                       {"where", &s.where},
+                                       {"read", &s.read},
+                                       {"observable", &s.observable},
+                                       {"ours", &s.ours},
+                                       {"mark", &s.mark}}) {
+        *field = entry[key].value_or(std::string());
+      }
+      if (s.words.empty()) s.value = entry["value"].value_or(nan);
       s.label = entry["label"].value_or(number(s.value) + " " + s.unit);
-      if (const toml::array* w = entry["window"].as_array()) s.window = {w->at(0).value_or(nan), w->at(1).value_or(nan)};
+      if (entry["window"].is_array()) s.window = {entry["window"][0].value_or(nan), entry["window"][1].value_or(nan)};
       if (s.id.empty() || (s.words.empty() && std::isnan(s.value))) {
         throw std::runtime_error("paper.toml: statement " + std::to_string(k + 1) + " has no id or no value");
       }
@@ -344,23 +343,36 @@ Publication read_publication(std::string_view text) {
   }
 }
 
-Measured measure(const RunRecord& run, const Statement& statement) {
-  const auto found = observables().find(statement.observable);
-  if (found == observables().end()) throw std::invalid_argument("there is no observable '" + statement.observable + "'");
-  return found->second(run, statement.window.value_or(std::array{0.0, end_of(run.force)}));
+Measured measure(const RunRecord& run, const std::string& name, std::optional<Window> window) {
+  const ForceCurve& c = run.force;
+  if (c.mm.empty()) return {};
+  const Samples s = samples_in(c, window.value_or(Window{0, c.end()}));
+  if (name == "largest_force") return {largest(c.f, s)};
+  if (name == "largest_force_at") return {value_at(c.mm, s, extreme(c.f, s))};
+  if (name == "force_ratio") return {force_ratio(c, s)};
+  if (name == "force_free_share") return {force_free_share(c)};
+  if (name == "growth_of_maxima") return {growth_of_maxima(c)};
+  const Contacts contacts = contacts_of(c);
+  const double first_end = std::isnan(contacts.ended) ? c.end() : contacts.ended;
+  if (name == "first_impact") return {largest(c.fx, samples_in(c, {contacts.first, first_end}))};
+  if (name == "free_flight_begins") return if_ever(contacts.ended);
+  if (name == "free_flight_ends") return if_ever(contacts.second);
+  const Samples second = samples_in(c, {contacts.second, c.end()});
+  const std::string none = std::isnan(contacts.second) ? "no second contact" : "";
+  if (name == "second_contact_fx") return {largest(c.fx, second), none};
+  if (name == "second_contact_fy") return {largest(c.fy, second), none};
+  return lattice_observable(run, name);
 }
 
-std::vector<Maximum> maxima(const ForceCurve& curve, double length) {
-  std::vector<Maximum> found;
-  for (double from = 0; from + length <= end_of(curve) + 1; from += length) {
-    const double top = largest(curve, curve.f, {from, from + length});
-    const auto at = std::find(curve.f.begin(), curve.f.end(), top);
-    found.push_back({at == curve.f.end() ? nan : curve.mm[static_cast<std::size_t>(at - curve.f.begin())], top});
+std::vector<std::array<double, 2>> maxima(const ForceCurve& curve, double length) {
+  std::vector<std::array<double, 2>> found;
+  for (double from = 0; from + length <= curve.end() + 1; from += length) {
+    const Samples s = samples_in(curve, {from, from + length});
+    const std::size_t k = extreme(curve.f, s);
+    found.push_back({value_at(curve.mm, s, k), value_at(curve.f, s, k)});
   }
   return found;
 }
-
-double split_at(const RunRecord& run) { return split_of(run).mm; }
 
 bool half_fixed(const Parts& lattices, int link) {
   return (lattices.node.body[lattices.link.a[link]] < 0) != (lattices.node.body[lattices.link.b[link]] < 0);

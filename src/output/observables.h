@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,9 +15,10 @@
 
 namespace furrow {
 
-// Force on the first plate against its displacement (mm). Resistance is positive: fx is minus the force on the plate.
+// Force on the first plate. Resistance is positive: fx is minus the force on the plate.
 struct ForceCurve {
-  std::vector<double> mm, fx, fy, f;  // mm, N
+  std::vector<double> mm, fx, fy, f;  // mm of displacement, N
+  double end() const { return mm.empty() ? 0 : mm.back(); }
 };
 
 struct TornLink {
@@ -31,26 +31,36 @@ struct Frame {
   Table discs, links, plates;
 };
 
+// One entry of run.json.
+struct Fact {
+  std::string key;
+  std::vector<std::string> texts;  // of an array all, of null none, of anything else one
+  bool fraction = false;           // a floating-point number
+};
+
 struct RunRecord {
   std::string name;
-  nlohmann::json facts;  // run.json
+  std::vector<Fact> facts;  // in the order of the file
   Scene scene;
-  Parts lattices;        // nodes and links of the scene's lattices, nothing else
+  Parts lattices;  // nodes and links of the scene's lattices, nothing else
   ForceCurve force;
   Table energy;
   std::vector<TornLink> torn;  // in order of time
   std::vector<Frame> frames;
+
+  const Fact* fact(std::string_view key) const;  // null if there is none
+  bool finished() const;
 };
 
-// Throws std::runtime_error that names the file that is missing or malformed.
+// Of a run that ended while its scene was prepared there are only facts and scene. Throws std::runtime_error that names
+// the file that is missing or malformed.
 RunRecord read_run(const std::string& name, const std::filesystem::path& directory);
 
 // One thing that the paper reports; the heading of reference_data/published/paper.toml explains the fields.
 struct Statement {
-  std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label;
-  double value = std::numeric_limits<double>::quiet_NaN();  // NaN: the paper says it in words
-  std::string words;
-  std::optional<std::array<double, 2>> window;  // mm
+  std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words;
+  double value = std::numeric_limits<double>::quiet_NaN();  // NaN: the paper says it in `words`
+  std::optional<std::array<double, 2>> window;              // mm
 };
 
 struct Publication {
@@ -64,21 +74,15 @@ Publication read_publication(std::string_view toml);
 // A number, or words where a number will not do. NaN without words: the run does not say.
 struct Measured {
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::string words;
+  std::string words = {};
 };
 
-// Throws std::invalid_argument if there is no observable of that name.
-Measured measure(const RunRecord& run, const Statement& statement);
+// The observable of that name over a window of plate displacement (mm), by default the whole run. Throws
+// std::invalid_argument if there is no such observable.
+Measured measure(const RunRecord& run, const std::string& observable, std::optional<std::array<double, 2>> window = {});
 
-// Largest sum of forces in each whole stretch of `length` mm: where and how large.
-struct Maximum {
-  double mm, f;
-};
-std::vector<Maximum> maxima(const ForceCurve& curve, double length);
-
-// Displacement of the first plate, mm, from which no chain of intact links joins the lowest row of a lattice to its highest.
-// NaN if that never happens.
-double split_at(const RunRecord& run);
+// Largest sum of forces in each whole stretch of `length` mm: {where (mm), how large (N)}.
+std::vector<std::array<double, 2>> maxima(const ForceCurve& curve, double length);
 
 // Whether one end of the link, and only one, is fixed.
 bool half_fixed(const Parts& lattices, int link);

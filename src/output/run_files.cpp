@@ -57,13 +57,15 @@ void claim_directory(const fs::path& directory) {
   if (fs::exists(directory, failed) && !fs::is_directory(directory, failed)) {
     throw FileError(directory.string() + " is not a directory");
   }
-  if (fs::exists(directory, failed) && !fs::is_empty(directory, failed) && !fs::exists(directory / "run.json", failed) &&
-      !fs::exists(directory / "run.json.partial", failed)) {
-    throw FileError(directory.string() + " is neither empty nor an earlier run (it has no run.json); choose another --out");
+  if (fs::exists(directory, failed) && !fs::is_empty(directory, failed) &&
+      !fs::exists(directory / "run.json", failed) && !fs::exists(directory / "run.json.partial", failed)) {
+    throw FileError(directory.string() +
+                    " is neither empty nor an earlier run (it has no run.json); choose another --out");
   }
   fs::create_directories(directory, failed);
   if (failed) throw FileError("cannot make " + directory.string() + ": " + failed.message());
-  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml", "run.pvd", "run.json"}) {
+  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml",
+                           "run.pvd", "run.json"}) {
     for (const char* ending : {"", ".partial"}) {
       fs::remove(directory / (std::string(name) + ending), failed);
       if (failed) throw FileError("cannot replace " + (directory / name).string() + ": " + failed.message());
@@ -91,7 +93,8 @@ class Series {
         events_(directory / "events.csv"),
         frames_(directory) {
     force_ << "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]\n";
-    energy_ << "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],contact viscous [J],"
+    energy_ << "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],contact "
+               "viscous [J],"
                "friction [J],rolling [J],tear [J],plate work [J],stiffening [J],residual [J]\n";
     motion_ << "t [s],px [kg m/s],py [kg m/s],L [kg m^2/s],contacts,overlap [m],relative overlap [-],speed [m/s]\n";
     events_ << "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]\n";
@@ -136,8 +139,8 @@ class Series {
     }
     const Energies& e = seen.energy;
     if (system.keeps_ledger()) {
-      energy_.row(t, e.kinetic, e.gravity, e.load, e.springs, e.contact_elastic, e.link_damping, e.contact_viscous, e.friction,
-                  e.rolling, e.tear, e.plate_work, e.stiffening, e.residual(start_));
+      energy_.row(t, e.kinetic, e.gravity, e.load, e.springs, e.contact_elastic, e.link_damping, e.contact_viscous,
+                  e.friction, e.rolling, e.tear, e.plate_work, e.stiffening, e.residual(start_));
     }
     motion_.row(t, seen.momentum.x, seen.momentum.y, seen.momentum.angular, seen.contacts, seen.overlap.depth,
                 seen.overlap.relative, greatest_speed(system, y));
@@ -151,8 +154,8 @@ class Series {
     const int b = parts.link.b[tear.link];
     const std::string& name = parts.lattice[node.lattice[a]].name;
     events_.row(tear.time, displacement(system, tear.time), to_string(parts.link.kind[tear.link]),
-                name.empty() ? std::to_string(node.lattice[a]) : name, node.row[a], node.column[a], node.row[b], node.column[b],
-                (node.body[a] < 0 ? 1 : 0) + (node.body[b] < 0 ? 1 : 0), tear.force);
+                name.empty() ? std::to_string(node.lattice[a]) : name, node.row[a], node.column[a], node.row[b],
+                node.column[b], (node.body[a] < 0 ? 1 : 0) + (node.body[b] < 0 ? 1 : 0), tear.force);
   }
 
   const Scene& scene_;
@@ -175,7 +178,8 @@ void write_state(const fs::path& directory, const System& system, double t, cons
              system.has_friction() ? y[system.spin_of(i)] : 0, parts.disc.radius[i], von_mises(stress[i]));
   }
   for (int n = 0; n < parts.node.count(); ++n) {
-    file.row(parts.node.body[n] < 0 ? "fixed node" : "node", n, nodes.x[n], nodes.y[n], nodes.vx[n], nodes.vy[n], "", "", "");
+    file.row(parts.node.body[n] < 0 ? "fixed node" : "node", n, nodes.x[n], nodes.y[n], nodes.vx[n], nodes.vy[n], "",
+             "", "");
   }
   file.finish();
 }
@@ -270,7 +274,9 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["state_hash"] = hexadecimal(system.state_hash(y));
   json["greatest_relative_overlap"] = series.greatest_overlap().relative;
   json["greatest_overlap_between"] = series.greatest_overlap().between;
-  outcome.ended = end.ending == Ending::finished ? "finished" : end.ending == Ending::stopped ? "interrupted" : "diverged";
+  outcome.ended = end.ending == Ending::finished  ? "finished"
+                  : end.ending == Ending::stopped ? "interrupted"
+                                                  : "diverged";
   outcome.reason = end.reason;
   return conclude();
 }

@@ -11,8 +11,8 @@
 namespace furrow {
 
 struct RunRequest {
-  std::string scene_file;             // as the user named it
-  Scene scene;                        // with the user's changes applied
+  std::string scene_file;  // as the user named it
+  Scene scene;             // with the user's changes applied
   std::filesystem::path directory;
   // Called now and then: what is being done, done and total model time. False interrupts.
   std::function<bool(const std::string& doing, double done, double total)> progress;
@@ -25,9 +25,9 @@ struct RunOutcome {
   std::string json;    // what run.json says
 };
 
-// Writes plate_force.csv, energy.csv, motion.csv, events.csv, state.csv, scene.toml, frames/, run.pvd and run.json. Of an interrupted
-// run the series keep the ending .partial, a diverged one is complete up to its last good state; run.json says which.
-// An earlier run in the directory is replaced; any other content is an error. Throws FileError.
+// Writes plate_force.csv, energy.csv, motion.csv, events.csv, state.csv, scene.toml, frames/, run.pvd and run.json. Of
+// an interrupted run the series keep the ending .partial, a diverged one is complete up to its last good state;
+// run.json says which. An earlier run in the directory is replaced; any other content is an error. Throws FileError.
 RunOutcome run_with_files(const RunRequest& request);
 
 }  // namespace furrow

@@ -3,53 +3,38 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 namespace furrow {
-namespace {
 
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> found;
-  std::istringstream stream(line + ",");
-  for (std::string cell; std::getline(stream, cell, ',');) found.push_back(cell);
-  return found;
+std::filesystem::path run_path(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) ? file : std::filesystem::path(file.string() + ".partial");
 }
 
-template <class Number>
-std::vector<Number> parsed(const std::vector<std::string>& texts, const std::string& place) {
-  std::vector<Number> values(texts.size());
-  for (std::size_t row = 0; row < texts.size(); ++row) {
-    const char* end = texts[row].data() + texts[row].size();
-    const auto [stop, error] = std::from_chars(texts[row].data(), end, values[row]);
-    if (error == std::errc() && stop == end) continue;
-    throw std::runtime_error(place + ": line " + std::to_string(row + 2) + ": '" + texts[row] + "' is not a number");
-  }
-  return values;
-}
-
-}  // namespace
-
-std::string run_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) stream = std::ifstream(file.string() + ".partial", std::ios::binary);
+std::string run_text(const std::filesystem::path& file) {
+  std::ifstream stream(run_path(file), std::ios::binary);
   if (!stream) throw std::runtime_error(file.string() + ": no such file, or it cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-Table::Table(const std::filesystem::path& file) : file_(file.string()) {
-  std::istringstream stream(run_file(file));
+Table::Table(const std::filesystem::path& file) : file_(run_path(file).string()) {
+  std::istringstream stream(run_text(file));
   std::string line;
-  if (!std::getline(stream, line) || line.empty()) throw std::runtime_error(file_ + ": has no heading line");
-  heading_ = cells(line);
-  columns_.resize(heading_.size());
-  for (int number = 2; std::getline(stream, line); ++number) {
-    std::vector<std::string> row = cells(line);
-    if (row.size() != heading_.size()) {
-      throw std::runtime_error(file_ + ": line " + std::to_string(number) + " has " + std::to_string(row.size()) +
+  for (int number = 1; std::getline(stream, line); ++number) {
+    std::vector<std::string> cells;
+    std::istringstream row(line + ",");
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (number == 1) {
+      heading_ = cells;
+      columns_.resize(cells.size());
+    } else if (cells.size() != heading_.size()) {
+      throw std::runtime_error(file_ + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
                                " cells, the heading " + std::to_string(heading_.size()));
+    } else {
+      for (std::size_t k = 0; k < cells.size(); ++k) columns_[k].push_back(std::move(cells[k]));
     }
-    for (std::size_t k = 0; k < row.size(); ++k) columns_[k].push_back(std::move(row[k]));
   }
 }
 
@@ -60,11 +45,17 @@ const std::vector<std::string>& Table::texts(std::string_view column) const {
 }
 
 std::vector<double> Table::numbers(std::string_view column) const {
-  return parsed<double>(texts(column), file_ + ": column '" + std::string(column) + "'");
-}
-
-std::vector<int> Table::integers(std::string_view column) const {
-  return parsed<int>(texts(column), file_ + ": column '" + std::string(column) + "'");
+  std::vector<double> values;
+  for (const std::string& text : texts(column)) {
+    const char* end = text.data() + text.size();
+    double value = 0;
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end) {
+      throw std::runtime_error(file_ + ":" + std::to_string(values.size() + 2) + ": '" + text + "' is not a number");
+    }
+    values.push_back(value);
+  }
+  return values;
 }
 
 }  // namespace furrow

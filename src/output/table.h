@@ -1,4 +1,4 @@
-// Reads the text files that a run leaves behind.
+// Reads the text files that a run leaves behind. Every error is a std::runtime_error that names the file.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +8,20 @@
 
 namespace furrow {
 
-// The text of `file`, or of `file`.partial, as an interrupted run leaves it. Throws std::runtime_error that names the file.
-std::string run_file(const std::filesystem::path& file);
+// `file`, or `file`.partial, as an interrupted run leaves it.
+std::filesystem::path run_path(const std::filesystem::path& file);
+std::string run_text(const std::filesystem::path& file);
 
-// Comma separated values with a heading line, by column. Every error is a std::runtime_error that names file and line.
+// Comma separated values with a heading line, by column.
 class Table {
  public:
   Table() = default;
   explicit Table(const std::filesystem::path& file);
 
   std::size_t rows() const { return columns_.empty() ? 0 : columns_[0].size(); }
+  const std::string& file() const { return file_; }
   const std::vector<std::string>& texts(std::string_view column) const;
   std::vector<double> numbers(std::string_view column) const;  // "nan" and "inf" are numbers; anything else is an error
-  std::vector<int> integers(std::string_view column) const;
 
  private:
   std::string file_;

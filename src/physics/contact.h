@@ -8,9 +8,9 @@
 //   M  = -mu_r R* Fn w / sqrt(w^2 + w0^2)           (R* is also R_i R_j/(R_i + R_j), the rolling radius)
 //
 // with overlap d > 0, approach speed d', slip speed vt, tangential displacement xi, relative spin w.
-// Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form of
-// Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525).
-// Valid for small overlap against the radius; the paper's soil is so soft that d reaches 0.8 R, where this is a penalty law.
+// Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form
+// of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525). Valid for small overlap against the radius; the paper's soil
+// is so soft that d reaches 0.8 R, where this is a penalty law.
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,8 @@ inline double shear_compliance(const Elastic& e) {
   return e.rigid ? 0 : (2 - e.poisson) * 2 * (1 + e.poisson) / e.young;  // G = E / (2 (1 + nu))
 }
 
-inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, double mu, double mu_rolling, bool pull) {
+inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, double mu, double mu_rolling,
+                              bool pull) {
   ContactLaw law;
   law.modulus = 1 / (compliance(i) + compliance(j));
   law.shear_modulus = 1 / (shear_compliance(i) + shear_compliance(j));

@@ -6,9 +6,9 @@ namespace furrow {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-inline double disc_volume(double radius, double depth) { return pi * radius * radius * depth; }            // m^3
-inline double sphere_volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }           // m^3
-inline double disc_inertia(double mass, double radius) { return 0.5 * mass * radius * radius; }            // kg m^2
-inline double sphere_inertia(double mass, double radius) { return 0.4 * mass * radius * radius; }          // kg m^2
+inline double disc_volume(double radius, double depth) { return pi * radius * radius * depth; }    // m^3
+inline double sphere_volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }   // m^3
+inline double disc_inertia(double mass, double radius) { return 0.5 * mass * radius * radius; }    // kg m^2
+inline double sphere_inertia(double mass, double radius) { return 0.4 * mass * radius * radius; }  // kg m^2
 
 }  // namespace furrow

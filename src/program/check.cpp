@@ -27,8 +27,8 @@ int check_command(const std::vector<std::string>& scenes) {
 int methods_command() {
   std::cout << "name           order  f a step  step        what\n";
   for (const MethodInfo& m : method_catalogue()) {
-    std::printf("%-14s %5d  %8d  %-10s  %s\n", m.name.c_str(), m.order, m.evaluations, m.controlled ? "controlled" : "fixed",
-                m.title.c_str());
+    std::printf("%-14s %5d  %8d  %-10s  %s\n", m.name.c_str(), m.order, m.evaluations,
+                m.controlled ? "controlled" : "fixed", m.title.c_str());
   }
   return good;
 }

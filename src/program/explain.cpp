@@ -29,23 +29,26 @@ void print_modelled(const Scene& scene, const System& system) {
   const bool spins = system.has_friction() && parts.disc.count() > 0;
   std::printf("\nmodelled (%s of state)\n", count(static_cast<long>(system.size()), "number").c_str());
   if (parts.disc.count() > 0) {
-    line("discs", format("%d, %d numbers each: x, y, vx, vy%s; masses as %s", parts.disc.count(), spins ? 5 : 4,
-                         spins ? ", spin" : "",
-                         scene.model.disc_mass == DiscMass::disc ? "discs (m = rho pi R^2 b)" : "spheres (m = 4/3 pi rho R^3)"));
+    line("discs",
+         format("%d, %d numbers each: x, y, vx, vy%s; masses as %s", parts.disc.count(), spins ? 5 : 4,
+                spins ? ", spin" : "",
+                scene.model.disc_mass == DiscMass::disc ? "discs (m = rho pi R^2 b)" : "spheres (m = 4/3 pi rho R^3)"));
   }
   if (parts.node.count() > 0) {
-    line("lattice nodes", format("%d free, 4 numbers each; %d fixed, none", parts.free_nodes, parts.node.count() - parts.free_nodes));
+    line("lattice nodes",
+         format("%d free, 4 numbers each; %d fixed, none", parts.free_nodes, parts.node.count() - parts.free_nodes));
     int of_kind[3] = {0, 0, 0};
     for (const LinkClass kind : parts.link.kind) ++of_kind[static_cast<int>(kind)];
-    line("links", format("%d: %d structural, %d shear, %d bending; no numbers of their own", parts.link.count(), of_kind[0],
-                         of_kind[1], of_kind[2]));
+    line("links", format("%d: %d structural, %d shear, %d bending; no numbers of their own", parts.link.count(),
+                         of_kind[0], of_kind[1], of_kind[2]));
   }
   line("walls, plates", count(static_cast<long>(parts.wall.size()), "wall") + ", " +
                             count(static_cast<long>(parts.plate.size()), "plate") + "; no numbers: they do not react");
   if (system.spring_count() > 0) {
     line("tangential springs", format("room for %d contacts with friction", system.spring_count()));
   }
-  if (system.keeps_ledger()) line("energy ledger", format("%d numbers (output.energy = false saves them)", ledger_entries));
+  if (system.keeps_ledger())
+    line("energy ledger", format("%d numbers (output.energy = false saves them)", ledger_entries));
 }
 
 void print_left_out(const Scene& scene, const System& system) {
@@ -61,8 +64,10 @@ void print_left_out(const Scene& scene, const System& system) {
     const std::string name = "lattice " + l.name;
     if (!l.gravity && scene.model.gravity != 0) line(name.c_str(), "has no weight (gravity = false)");
     const auto missing = [&](const char* kind, const LinkKind& k) {
-      if (k.stiffness == 0 && k.damping == 0) line(name.c_str(), std::string("has no ") + kind + " links (stiffness and damping 0)");
-      else if (std::isinf(k.strength)) line(name.c_str(), std::string("its ") + kind + " links never tear (no strength given)");
+      if (k.stiffness == 0 && k.damping == 0)
+        line(name.c_str(), std::string("has no ") + kind + " links (stiffness and damping 0)");
+      else if (std::isinf(k.strength))
+        line(name.c_str(), std::string("its ") + kind + " links never tear (no strength given)");
     };
     missing("structural", l.structural);
     missing("shear", l.shear);
@@ -115,14 +120,14 @@ void print_contacts(const Scene& scene, const System& system) {
   const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(radius);
   const double overlap = std::pow(5 * mass * speed * speed / (4 * factor), 0.4);
   const double stiffness = 2 * law.modulus * std::sqrt(radius * overlap);
-  line("smallest disc", format("R = %g m, m = %.6g kg, I = %.6g kg m^2", parts.disc.radius[least], parts.disc.mass[least],
-                               parts.disc.inertia[least]));
+  line("smallest disc", format("R = %g m, m = %.6g kg, I = %.6g kg m^2", parts.disc.radius[least],
+                               parts.disc.mass[least], parts.disc.inertia[least]));
   // 2.943275 = 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10)
-  line("two of them, elastic", format("closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s", speed,
-                                      overlap, overlap / parts.disc.radius[least], factor * overlap * std::sqrt(overlap),
-                                      2.943275184324047 * overlap / speed));
-  line("critical damping", format("at that overlap: %.4g N s/m; the scene has %.4g N s/m", 2 * std::sqrt(stiffness * mass),
-                                  law.viscosity * std::sqrt(stiffness * mass)));
+  line("two of them, elastic", format("closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s",
+                                      speed, overlap, overlap / parts.disc.radius[least],
+                                      factor * overlap * std::sqrt(overlap), 2.943275184324047 * overlap / speed));
+  line("critical damping", format("at that overlap: %.4g N s/m; the scene has %.4g N s/m",
+                                  2 * std::sqrt(stiffness * mass), law.viscosity * std::sqrt(stiffness * mass)));
 }
 
 void print_step(const Scene& scene, const Prepared& prepared) {
@@ -131,7 +136,8 @@ void print_step(const Scene& scene, const Prepared& prepared) {
   std::printf("\nwhere it stands at t = 0\n");
   if (prepared.surface) {
     line("settled", format("after %.3g s; surface at %.4g m", prepared.settling_time, *prepared.surface));
-    for (const Plate& p : prepared.scene.plate) line(("plate " + p.name).c_str(), format("lower edge at %.4g m", *p.lower_edge));
+    for (const Plate& p : prepared.scene.plate)
+      line(("plate " + p.name).c_str(), format("lower edge at %.4g m", *p.lower_edge));
   }
   line("contacts", std::to_string(seen.contacts));
   if (seen.contacts > 0) {

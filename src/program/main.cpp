@@ -31,7 +31,8 @@ int parse_and_run(int argc, char** argv) {
   auto* check = app.add_subcommand("check", "read scene files and say all that is wrong with them");
   check->add_option("scenes", scenes, "scene files")->required();
 
-  auto* explain = app.add_subcommand("explain", "what of a scene is modelled, what is left out, and what follows from its numbers");
+  auto* explain =
+      app.add_subcommand("explain", "what of a scene is modelled, what is left out, and what follows from its numbers");
   add_overrides(explain);
 
   auto* methods = app.add_subcommand("methods", "list the integration methods");

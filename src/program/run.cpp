@@ -32,9 +32,11 @@ RunOutcome run_one(const RunOptions& options, const fs::path& directory, Progres
   request.warn = [&](const std::string& text) { progress.say(name + ": warning: " + text); };
   const RunOutcome outcome = run_with_files(request);
   if (outcome.ended == "diverged") {
-    progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is in " + directory.string());
+    progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is in " +
+                 directory.string());
   } else if (outcome.ended == "interrupted") {
-    progress.say("furrow: " + name + " was interrupted; what it had written is marked .partial in " + directory.string());
+    progress.say("furrow: " + name + " was interrupted; what it had written is marked .partial in " +
+                 directory.string());
   }
   return outcome;
 }

@@ -22,14 +22,15 @@ class SceneError : public std::runtime_error {
   std::vector<std::string> messages_;
 };
 
-// A fault in what a scene says as a whole (an unknown material, a node outside its lattice, ...). `path` names the place as
-// in "lattice[0].node[2].row".
+// A fault in what a scene says as a whole (an unknown material, a node outside its lattice, ...). `path` names the
+// place as in "lattice[0].node[2].row".
 struct Problem {
   std::string path;
   std::string message;
 };
 
-// Faults that no single key shows. Empty if the scene can be run. Used by the reader, and by whoever builds a scene in code.
+// Faults that no single key shows. Empty if the scene can be run. Used by the reader, and by whoever builds a scene in
+// code.
 std::vector<Problem> problems_of(const Scene& scene);
 
 // Throws SceneError with all faults at once; std::runtime_error if the file cannot be read.

@@ -18,142 +18,142 @@ struct Vec2 {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-enum class DiscMass { disc, sphere };            // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
-enum class Lever { overlap, radius };            // arm of the contact force: to the contact point, or the whole radius
-enum class Damper { axial, full };               // a link's damper acts along the link, or on the whole relative velocity
-enum class TearRule { tension, magnitude };      // which spring force is compared with the strength
+enum class DiscMass { disc, sphere };        // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
+enum class Lever { overlap, radius };        // arm of the contact force: to the contact point, or the whole radius
+enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
+enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
 enum class SearchMode { cells, brute_force };
 
 struct Model {
-  double gravity = 9.81;           // m/s^2
+  double gravity = 9.81;  // m/s^2
   DiscMass disc_mass = DiscMass::disc;
-  double disc_depth = 1;           // m, b in the disc reading of the mass
+  double disc_depth = 1;  // m, b in the disc reading of the mass
   Lever lever = Lever::overlap;
-  bool pull = false;               // a contact's viscous force may exceed the elastic one and pull
-  double rolling_smoothing = 1;    // rad/s, w0 in w / sqrt(w^2 + w0^2); 1e-2 would be too stiff for the paper's step
+  bool pull = false;             // a contact's viscous force may exceed the elastic one and pull
+  double rolling_smoothing = 1;  // rad/s, w0 in w / sqrt(w^2 + w0^2); 1e-2 would be too stiff for the paper's step
 };
 
 struct Timing {
-  double end = 1;                  // s
-  double step = 1e-4;              // s; for a controlled method the first step it tries
+  double end = 1;      // s
+  double step = 1e-4;  // s; for a controlled method the first step it tries
   std::string method = "pece";
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 1e-9;  // m, m/s, rad/s
-  double max_step = 1e-3;          // s, for controlled methods
+  double max_step = 1e-3;            // s, for controlled methods
 };
 
 struct Search {
   SearchMode mode = SearchMode::cells;
-  double skin = 0;                 // m, added to the reach of the neighbour list; 0: chosen from the radii
-  double cell_size = 0;            // m; 0: the reach of the neighbour list
+  double skin = 0;       // m, added to the reach of the neighbour list; 0: chosen from the radii
+  double cell_size = 0;  // m; 0: the reach of the neighbour list
 };
 
 // Young's modulus and one of Poisson's ratio and shear modulus. A rigid material does not deform at all.
 struct Material {
   std::string name{};
-  double density = 1000;           // kg/m^3, used for discs
-  std::optional<double> young{};     // Pa
-  std::optional<double> poisson{};   // -
-  std::optional<double> shear{};     // Pa
+  double density = 1000;            // kg/m^3, used for discs
+  std::optional<double> young{};    // Pa
+  std::optional<double> poisson{};  // -
+  std::optional<double> shear{};    // Pa
   bool rigid = false;
 };
 
 // Contact parameters of one pair of materials; what is not given is taken from the scene's [contact].
 struct ContactPair {
-  std::vector<std::string> materials{};        // the two names; may be equal
-  std::optional<double> damping_factor{};      // beta, -
-  std::optional<double> restitution{};         // -, another way to give beta
-  std::optional<double> friction{};            // mu, -
-  std::optional<double> rolling_friction{};    // mu_r, -
+  std::vector<std::string> materials{};      // the two names; may be equal
+  std::optional<double> damping_factor{};    // beta, -
+  std::optional<double> restitution{};       // -, another way to give beta
+  std::optional<double> friction{};          // mu, -
+  std::optional<double> rolling_friction{};  // mu_r, -
 };
 
 struct Contact {
-  std::optional<double> damping_factor{};      // beta, -
-  std::optional<double> restitution{};         // -
-  double friction = 0;                       // mu, -
-  double rolling_friction = 0;               // mu_r, -
+  std::optional<double> damping_factor{};  // beta, -
+  std::optional<double> restitution{};     // -
+  double friction = 0;                     // mu, -
+  double rolling_friction = 0;             // mu_r, -
   std::vector<ContactPair> pair{};
 };
 
 struct Disc {
-  Vec2 position{};                   // m
-  double radius = 0.01;            // m
-  Vec2 velocity{};                   // m/s
-  double spin = 0;                 // rad/s, counter-clockwise
+  Vec2 position{};       // m
+  double radius = 0.01;  // m
+  Vec2 velocity{};       // m/s
+  double spin = 0;       // rad/s, counter-clockwise
   std::string material{};
 };
 
 // Discs put at random, without overlap, into a rectangle. Radii are uniform between radius_min and radius_max.
 struct Packing {
   int count = 1;
-  double radius_min = 0.01;        // m
-  double radius_max = 0.01;        // m
-  Vec2 lower_left{};                 // m
-  Vec2 upper_right{};                // m
+  double radius_min = 0.01;  // m
+  double radius_max = 0.01;  // m
+  Vec2 lower_left{};         // m
+  Vec2 upper_right{};        // m
   std::string material{};
   std::uint64_t seed = 1;
 };
 
 // Before t = 0 the scene runs with plates at rest and links that do not tear, until nothing moves.
 struct Settle {
-  double speed = 5e-3;             // m/s: settled when for a time `hold` no disc and no node is faster
-  double hold = 0.5;               // s
-  std::optional<double> step{};    // s; left out: time.step
-  double limit = 20;               // s: it is an error if the scene has not settled by then
+  double speed = 5e-3;           // m/s: settled when for a time `hold` no disc and no node is faster
+  double hold = 0.5;             // s
+  std::optional<double> step{};  // s; left out: time.step
+  double limit = 20;             // s: it is an error if the scene has not settled by then
 };
 
 // A half-plane that discs and nodes stay out of: the line through `point`; `normal` points to where they are.
 struct Wall {
   std::string name{};
-  Vec2 point{};                      // m
-  Vec2 normal{0, 1};               // any length but zero
+  Vec2 point{};       // m
+  Vec2 normal{0, 1};  // any length but zero
   std::string material{};
 };
 
-// A rigid rectangle with prescribed motion. Its height is given by `lower_edge`, or by `working_depth` below the surface
-// of the settled discs.
+// A rigid rectangle with prescribed motion. Its height is given by `lower_edge`, or by `working_depth` below the
+// surface of the settled discs.
 struct Plate {
   std::string name{};
-  double left_edge = 0;                  // m, at t = 0
-  std::optional<double> lower_edge{};      // m, at t = 0
-  std::optional<double> working_depth{};   // m
-  double width = 0.01;                   // m
-  double height = 0.1;                   // m
-  Vec2 velocity{};                         // m/s
+  double left_edge = 0;                   // m, at t = 0
+  std::optional<double> lower_edge{};     // m, at t = 0
+  std::optional<double> working_depth{};  // m
+  double width = 0.01;                    // m
+  double height = 0.1;                    // m
+  Vec2 velocity{};                        // m/s
   std::string material{};
 };
 
 struct LinkKind {
-  double stiffness = 0;            // N/m; no links of a kind whose stiffness and damping are zero
-  double damping = 0;              // N s/m
-  double strength = infinity;      // N
+  double stiffness = 0;        // N/m; no links of a kind whose stiffness and damping are zero
+  double damping = 0;          // N s/m
+  double strength = infinity;  // N
 };
 
 // What is special about one node of a lattice.
 struct NodeSetting {
   int row = 0;
   int column = 0;
-  Vec2 displacement{};               // m, from its place in the grid, at t = 0
-  Vec2 velocity{};                   // m/s, at t = 0
-  Vec2 force{};                      // N, constant load
+  Vec2 displacement{};  // m, from its place in the grid, at t = 0
+  Vec2 velocity{};      // m/s, at t = 0
+  Vec2 force{};         // N, constant load
 };
 
 // Rows by columns of point masses; row 0 is the lowest, column 0 the leftmost.
 struct Lattice {
   std::string name{};
-  Vec2 origin{};                     // m, node of row 0 and column 0
+  Vec2 origin{};  // m, node of row 0 and column 0
   int rows = 1;
   int columns = 1;
-  double spacing = 0.01;           // m
-  double node_mass = 1;            // kg
+  double spacing = 0.01;  // m
+  double node_mass = 1;   // kg
   std::string material{};
-  bool gravity = false;            // whether its nodes have weight
+  bool gravity = false;  // whether its nodes have weight
   std::vector<int> fixed_rows{};
   std::vector<int> fixed_columns{};
   Damper damper = Damper::axial;
   TearRule tear = TearRule::tension;
-  int auxiliary_points = 9;        // on each border segment; 0: the exact nearest point
-  double contact_radius = 0.01;    // m, R* of a node against a plate or wall
+  int auxiliary_points = 9;      // on each border segment; 0: the exact nearest point
+  double contact_radius = 0.01;  // m, R* of a node against a plate or wall
   LinkKind structural{};
   LinkKind shear{};
   LinkKind bending{};
@@ -161,9 +161,9 @@ struct Lattice {
 };
 
 struct Output {
-  double interval = 1e-3;          // s, between rows of plate_force.csv and energy.csv
-  std::vector<double> frames{};      // s, times of the pictures
-  bool energy = true;              // keep the energy ledger
+  double interval = 1e-3;        // s, between rows of plate_force.csv and energy.csv
+  std::vector<double> frames{};  // s, times of the pictures
+  bool energy = true;            // keep the energy ledger
 };
 
 struct Scene {

@@ -1,8 +1,9 @@
-// Every key of a scene file, once: its name, field, unit and accepted range. The reader, the canonical writer and the list
-// of keys all walk these functions, so a key cannot be known to one of them and not to another.
+// Every key of a scene file, once: its name, field, unit and accepted range. The reader, the canonical writer and the
+// list of keys all walk these functions, so a key cannot be known to one of them and not to another.
 //
 // A visitor is called as  v(key, field, unit, range)  for a key that may be left out (the struct's default holds),
-// v.required(key, field, unit, range)  for one that may not, and  v.choice(key, field, {{"word", value}, ...})  for an enum.
+// v.required(key, field, unit, range)  for one that may not, and  v.choice(key, field, {{"word", value}, ...})  for an
+// enum.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,7 +13,7 @@ namespace furrow {
 struct Range {
   double low = -infinity;
   double high = infinity;
-  bool low_open = false;   // low itself is not accepted
+  bool low_open = false;  // low itself is not accepted
   bool high_open = false;
 };
 

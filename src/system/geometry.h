@@ -16,8 +16,8 @@ inline Nearest nearest_on_wall(double x, double y, double px, double py, double 
   return {(x - px) * wx + (y - py) * wy, -wx, -wy};
 }
 
-// Rectangle [left, right] x [lower, upper]. From inside the way out is through the nearest face; of two equally near ones
-// the first of left, right, lower, upper.
+// Rectangle [left, right] x [lower, upper]. From inside the way out is through the nearest face; of two equally near
+// ones the first of left, right, lower, upper.
 inline Nearest nearest_on_rectangle(double x, double y, double left, double right, double lower, double upper) {
   const double cx = std::min(std::max(x, left), right);
   const double cy = std::min(std::max(y, lower), upper);
@@ -40,10 +40,10 @@ struct NearestOnSegment {
   double share;      // 0 at a, 1 at b
 };
 
-// Of the end nodes and `auxiliary` equally spaced points between them the nearest to (x, y); auxiliary = 0: the exact nearest
-// point of the segment. A torn segment has only its ends left.
-inline NearestOnSegment nearest_on_segment(double x, double y, double ax, double ay, double bx, double by, int auxiliary,
-                                           bool torn) {
+// Of the end nodes and `auxiliary` equally spaced points between them the nearest to (x, y); auxiliary = 0: the exact
+// nearest point of the segment. A torn segment has only its ends left.
+inline NearestOnSegment nearest_on_segment(double x, double y, double ax, double ay, double bx, double by,
+                                           int auxiliary, bool torn) {
   const double ux = bx - ax;
   const double uy = by - ay;
   const double length2 = ux * ux + uy * uy;

@@ -7,8 +7,8 @@
 namespace furrow {
 namespace {
 
-// Accepted steps without nearness after which a slot may pass to another contact: longer than the history of any multistep
-// method, so that nothing of the old contact reaches the new one.
+// Accepted steps without nearness after which a slot may pass to another contact: longer than the history of any
+// multistep method, so that nothing of the old contact reaches the new one.
 constexpr int quiet_steps = 8;
 
 }  // namespace

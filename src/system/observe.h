@@ -37,10 +37,10 @@ struct Overlap {
 };
 
 struct Observation {
-  std::vector<Force> plate;    // on each plate
-  Energies energy;             // without a ledger only the stored ones
+  std::vector<Force> plate;  // on each plate
+  Energies energy;           // without a ledger only the stored ones
   Momentum momentum;
-  Overlap overlap;             // the greatest relative one
+  Overlap overlap;  // the greatest relative one
   int contacts = 0;
 };
 

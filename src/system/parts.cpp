@@ -61,7 +61,9 @@ void add_discs(const Scene& scene, Parts& parts) {
   }
 }
 
-bool contains(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
 
 // Adds one lattice; node (row, column) gets index first + row * columns + column.
 class LatticeBuilder {
@@ -204,11 +206,12 @@ Parts make_parts(const Scene& scene) {
   for (const Lattice& l : scene.lattice) LatticeBuilder(scene, l, parts).build();
   for (const Wall& w : scene.wall) {
     const double length = std::sqrt(w.normal.x * w.normal.x + w.normal.y * w.normal.y);
-    parts.wall.push_back({w.point.x, w.point.y, w.normal.x / length, w.normal.y / length,
-                          index_of_material(scene, w.material)});
+    parts.wall.push_back(
+        {w.point.x, w.point.y, w.normal.x / length, w.normal.y / length, index_of_material(scene, w.material)});
   }
   for (const Plate& p : scene.plate) {
-    if (!p.lower_edge) throw std::invalid_argument("plate '" + p.name + "' has no lower edge yet: prepare the scene first");
+    if (!p.lower_edge)
+      throw std::invalid_argument("plate '" + p.name + "' has no lower edge yet: prepare the scene first");
     parts.plate.push_back({p.left_edge, *p.lower_edge, p.width, p.height, p.velocity.x, p.velocity.y,
                            index_of_material(scene, p.material)});
   }

@@ -30,17 +30,18 @@ struct NodeArrays {
 };
 
 struct LinkArrays {
-  std::vector<int> a, b;                                  // nodes, a < b
+  std::vector<int> a, b;                                   // nodes, a < b
   std::vector<double> rest, stiffness, damping, strength;  // m, N/m, N s/m, N
   std::vector<LinkClass> kind;
-  std::vector<char> axial, in_magnitude;                   // damper and tear rule
+  std::vector<char> axial, in_magnitude;  // damper and tear rule
   int count() const { return static_cast<int>(a.size()); }
 };
 
-// The border of the lattices: segments between neighbouring border nodes. A lattice of one row or column is its own border.
+// The border of the lattices: segments between neighbouring border nodes. A lattice of one row or column is its own
+// border.
 struct BorderArrays {
-  std::vector<int> a, b;       // nodes
-  std::vector<int> link;       // structural link along the segment, -1 if there is none
+  std::vector<int> a, b;  // nodes
+  std::vector<int> link;  // structural link along the segment, -1 if there is none
   std::vector<int> lattice;
   int count() const { return static_cast<int>(a.size()); }
 };

@@ -47,9 +47,11 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     throw Divergence(text.str());
   }
   if (end.ending == Ending::finished) {
-    text << "not settled after " << placed.settle->limit << " s: the fastest body moves at " << speed << " m/s, settle.speed is "
-         << placed.settle->speed << " m/s; raise settle.limit or settle.speed, or shorten settle.step";
-    for (const std::string& warning : step_warnings(system, end.time, result.y, method->info().name, step)) text << "; " << warning;
+    text << "not settled after " << placed.settle->limit << " s: the fastest body moves at " << speed
+         << " m/s, settle.speed is " << placed.settle->speed
+         << " m/s; raise settle.limit or settle.speed, or shorten settle.step";
+    for (const std::string& warning : step_warnings(system, end.time, result.y, method->info().name, step))
+      text << "; " << warning;
     throw Divergence(text.str());
   }
   result.time = end.time;

@@ -9,7 +9,7 @@
 namespace furrow {
 
 struct Prepared {
-  Scene scene;                    // every disc listed, every plate with its lower edge
+  Scene scene;  // every disc listed, every plate with its lower edge
   System system;
   State y;                        // at t = 0
   std::optional<double> surface;  // m, of the settled discs, if the scene settles
@@ -17,8 +17,8 @@ struct Prepared {
   long settling_steps = 0;
 };
 
-// A scene with a plate at a working depth is settled twice: without such plates, to find the surface, then with all of them.
-// Both times by settle.step (or the scene's) and the method pece, plates at rest, links not tearing.
+// A scene with a plate at a working depth is settled twice: without such plates, to find the surface, then with all of
+// them. Both times by settle.step (or the scene's) and the method pece, plates at rest, links not tearing.
 // `progress(model time, greatest speed)` is called now and then; false stops, and prepare throws Interrupted.
 // Throws std::runtime_error if the scene does not settle within its limit, Divergence if it blows up.
 using SettleProgress = std::function<bool(double t, double speed)>;

@@ -7,7 +7,8 @@
 namespace furrow {
 namespace {
 
-// A body that moves further than its size in a step passes contacts unseen: the step is too long, or the run has blown up.
+// A body that moves further than its size in a step passes contacts unseen: the step is too long, or the run has blown
+// up.
 class Watch {
  public:
   explicit Watch(const System& system) : system_(system) {

@@ -28,8 +28,8 @@ struct RunPlan {
 // Called with the start and after each accepted step; false stops the run.
 using AfterStep = std::function<bool(double t, const State& y, const JumpReport& jump)>;
 
-// y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more than
-// its own size in one step, or the method gave up.
+// y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more
+// than its own size in one step, or the method gave up.
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step);
 
 }  // namespace furrow

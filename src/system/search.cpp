@@ -42,7 +42,8 @@ class Grid {
     const double width = *right - left_;
     const double height = *upper - lower_;
     // A disc that flew far off must not make the grid larger than the discs are many.
-    cell_ = std::max(cell, std::max(std::sqrt(width * height / (4.0 * count)), std::max(width, height) / (4.0 * count)));
+    cell_ =
+        std::max(cell, std::max(std::sqrt(width * height / (4.0 * count)), std::max(width, height) / (4.0 * count)));
     columns_ = static_cast<int>(width / cell_) + 1;
     rows_ = static_cast<int>(height / cell_) + 1;
     first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
@@ -119,10 +120,12 @@ void NeighbourSearch::remember(const Parts& parts, const Placement& now) {
 
 void NeighbourSearch::check_finite(const Parts& parts, const Placement& now) const {
   for (int i = 0; i < parts.disc.count(); ++i) {
-    if (!std::isfinite(now.disc_x[i] + now.disc_y[i])) throw Divergence("the position of disc " + std::to_string(i) + " is not finite");
+    if (!std::isfinite(now.disc_x[i] + now.disc_y[i]))
+      throw Divergence("the position of disc " + std::to_string(i) + " is not finite");
   }
   for (int i = 0; i < parts.node.count(); ++i) {
-    if (!std::isfinite(now.node_x[i] + now.node_y[i])) throw Divergence("the position of " + parts.node_name(i) + " is not finite");
+    if (!std::isfinite(now.node_x[i] + now.node_y[i]))
+      throw Divergence("the position of " + parts.node_name(i) + " is not finite");
   }
 }
 
@@ -135,9 +138,12 @@ std::vector<NeighbourSearch::Pair> NeighbourSearch::near_pairs(const Parts& part
     return near;
   }
   const bool walls = kind == disc_wall || kind == node_wall;
-  const int others = static_cast<int>(walls ? parts.wall.size() : kind == disc_lattice ? parts.lattice.size() : parts.plate.size());
+  const int others = static_cast<int>(walls                  ? parts.wall.size()
+                                      : kind == disc_lattice ? parts.lattice.size()
+                                                             : parts.plate.size());
   for (int a = 0; a < (of_disc(kind) ? parts.disc.count() : parts.node.count()); ++a) {
-    if (!of_disc(kind) && parts.node.body[a] < 0) continue;  // fixed node and plate or wall: neither of them can give way
+    if (!of_disc(kind) && parts.node.body[a] < 0)
+      continue;  // fixed node and plate or wall: neither of them can give way
     for (int b = 0; b < others; ++b) {
       const bool touches = kind == disc_lattice ? !near_segments(parts, now, a, b, reach).empty()
                                                 : flat_gap(parts, now, kind, a, b).gap < reach;
@@ -148,7 +154,8 @@ std::vector<NeighbourSearch::Pair> NeighbourSearch::near_pairs(const Parts& part
 }
 
 // Border segments of lattice `lattice` closer to the disc than `reach`.
-std::vector<int> NeighbourSearch::near_segments(const Parts& parts, const Placement& now, int disc, int lattice, double reach) const {
+std::vector<int> NeighbourSearch::near_segments(const Parts& parts, const Placement& now, int disc, int lattice,
+                                                double reach) const {
   std::vector<int> near;
   const double within = parts.disc.radius[disc] + reach;
   for (int s = 0; s < parts.border.count(); ++s) {
@@ -207,7 +214,7 @@ void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::v
     } else {
       fresh.reduced_radius.push_back(radius);
       fresh.reduced_mass.push_back(mass);
-      const int other = kind == disc_lattice                          ? parts.lattice[p.b].material
+      const int other = kind == disc_lattice                     ? parts.lattice[p.b].material
                         : kind == disc_wall || kind == node_wall ? parts.wall[p.b].material
                                                                  : parts.plate[p.b].material;
       fresh.law.push_back(parts.law_of(own, other));
@@ -230,7 +237,8 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {
   list.first_segment.assign(1, 0);
   list.segment.clear();
   for (int k = 0; k < list.count(); ++k) {
-    const std::vector<int> near = near_segments(parts, now, list.a[k], list.b[k], brute_force_ ? infinity : margin + skin_);
+    const std::vector<int> near =
+        near_segments(parts, now, list.a[k], list.b[k], brute_force_ ? infinity : margin + skin_);
     list.segment.insert(list.segment.end(), near.begin(), near.end());
     list.first_segment.push_back(static_cast<int>(list.segment.size()));
   }

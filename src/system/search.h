@@ -1,6 +1,7 @@
-// Which parts may touch: neighbour lists with a reach larger than any contact, renewed before anything can have moved through
-// that reach. The lists never change a result: a pair on a list that does not touch adds nothing, forces are summed in the
-// order of the pairs, and what a contact remembers (its slot) is decided by distances alone, not by when a list was made.
+// Which parts may touch: neighbour lists with a reach larger than any contact, renewed before anything can have moved
+// through that reach. The lists never change a result: a pair on a list that does not touch adds nothing, forces are
+// summed in the order of the pairs, and what a contact remembers (its slot) is decided by distances alone, not by when
+// a list was made.
 #pragma once
 
 #include <array>
@@ -14,12 +15,12 @@ namespace furrow {
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
 struct Candidates {
   std::vector<int> a, b;
-  std::vector<int> slot;                   // of the tangential spring in the state; -1: none
-  std::vector<std::uint8_t> quiet;         // accepted steps since the pair was last near; see NeighbourSearch::margin
-  std::vector<double> reduced_radius;      // m
-  std::vector<double> reduced_mass;        // kg; of disc and lattice: not used, it depends on the contact point
-  std::vector<int> law;                    // index into Parts::law
-  std::vector<int> first_segment;          // disc-lattice: candidate k may touch segment[first_segment[k] ...]
+  std::vector<int> slot;               // of the tangential spring in the state; -1: none
+  std::vector<std::uint8_t> quiet;     // accepted steps since the pair was last near; see NeighbourSearch::margin
+  std::vector<double> reduced_radius;  // m
+  std::vector<double> reduced_mass;    // kg; of disc and lattice: not used, it depends on the contact point
+  std::vector<int> law;                // index into Parts::law
+  std::vector<int> first_segment;      // disc-lattice: candidate k may touch segment[first_segment[k] ...]
   std::vector<int> segment;
   int count() const { return static_cast<int>(a.size()); }
 };

@@ -43,12 +43,13 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
         const Vector normal(c.nx[k] / root, c.ny[k] / root, 0);
         const Vector tangent(-c.ny[k] / root, c.nx[k] / root, inertia > 0 ? arm / std::sqrt(inertia) : 0);
         Body& b = bodies[body];
-        b.stiffness += c.stiffness[k] * normal * normal.transpose() +
-                       shear * c.shear_stiffness[k] * tangent * tangent.transpose();
-        b.damping += viscosity * normal * normal.transpose() + shear * c.shear_viscosity[k] * tangent * tangent.transpose();
+        b.stiffness +=
+            c.stiffness[k] * normal * normal.transpose() + shear * c.shear_stiffness[k] * tangent * tangent.transpose();
+        b.damping +=
+            viscosity * normal * normal.transpose() + shear * c.shear_viscosity[k] * tangent * tangent.transpose();
         if (inertia > 0) {
-          b.damping(2, 2) += law.rolling * c.reduced_radius[k] * std::max(c.normal[k], 0.0) /
-                             (system.rolling_smoothing() * inertia);
+          b.damping(2, 2) +=
+              law.rolling * c.reduced_radius[k] * std::max(c.normal[k], 0.0) / (system.rolling_smoothing() * inertia);
         }
         ++b.contacts;
       };
@@ -109,15 +110,18 @@ StiffPart stiffest_part(const System& system, double t, const State& y) {
   return stiffest;
 }
 
-std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method, double step) {
+std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,
+                                       double step) {
   const StiffPart part = stiffest_part(system, t, y);
   const double limit = largest_stable_step(method, part.oscillator);
   if (part.name.empty() || step <= 0.5 * limit) return {};
   std::ostringstream text;
   text.precision(3);
-  text << "the step of " << step << " s is " << (step > limit ? "beyond" : "near") << " the stability limit of " << method << ": "
-       << part.name << " (" << part.contacts << " contacts, damping ratio " << part.oscillator.zeta << ") allows " << limit
-       << " s with its neighbours held, and down to half of that when they move against it; forces may chatter, and the energy "
+  text << "the step of " << step << " s is " << (step > limit ? "beyond" : "near") << " the stability limit of "
+       << method << ": " << part.name << " (" << part.contacts << " contacts, damping ratio " << part.oscillator.zeta
+       << ") allows " << limit
+       << " s with its neighbours held, and down to half of that when they move against it; forces may chatter, and "
+          "the energy "
           "residual shows how much";
   return {text.str()};
 }

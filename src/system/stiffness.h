@@ -12,17 +12,18 @@ namespace furrow {
 struct StiffPart {
   Oscillator oscillator;  // the part's fastest motion, its neighbours held
   std::string name;
-  int contacts = 0;       // of a disc
-  bool spins = false;     // the fastest motion is mainly a spin
+  int contacts = 0;    // of a disc
+  bool spins = false;  // the fastest motion is mainly a spin
 };
 
-// The disc or node with the fastest motion by contacts and links, each alone among held neighbours: the greatest eigenvalues
-// of its mass-weighted stiffness and damping (2 x 2 for a node; 3 x 3, with the spin, for a disc), contacts taken as sticking
-// and rolling as at rest. Neighbours that move against it can make it up to twice as stiff, never more (Gershgorin).
-// A name is empty if nothing acts on anything.
+// The disc or node with the fastest motion by contacts and links, each alone among held neighbours: the greatest
+// eigenvalues of its mass-weighted stiffness and damping (2 x 2 for a node; 3 x 3, with the spin, for a disc), contacts
+// taken as sticking and rolling as at rest. Neighbours that move against it can make it up to twice as stiff, never
+// more (Gershgorin). A name is empty if nothing acts on anything.
 StiffPart stiffest_part(const System& system, double t, const State& y);
 
 // What a user should know before he trusts a run with this method and step, one text each; empty if there is nothing.
-std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method, double step);
+std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,
+                                       double step);
 
 }  // namespace furrow

@@ -47,11 +47,12 @@ inline Gap flat_gap(const Parts& parts, const Placement& now, ContactKind kind, 
 }
 
 // Disc `a` against the border segment `s`; auxiliary and torn as in nearest_on_segment.
-inline NearestOnSegment segment_distance(const Parts& parts, const Placement& now, int a, int s, int auxiliary, bool torn) {
+inline NearestOnSegment segment_distance(const Parts& parts, const Placement& now, int a, int s, int auxiliary,
+                                         bool torn) {
   const int i = parts.border.a[s];
   const int j = parts.border.b[s];
-  return nearest_on_segment(now.disc_x[a], now.disc_y[a], now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], auxiliary,
-                            torn);
+  return nearest_on_segment(now.disc_x[a], now.disc_y[a], now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j],
+                            auxiliary, torn);
 }
 
 }  // namespace furrow

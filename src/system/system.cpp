@@ -10,8 +10,8 @@
 namespace furrow {
 namespace {
 
-// Slots for tangential springs. Discs in a plane touch at most six others each, three contacts a disc; a fourth for soft
-// beds, whose second neighbours may touch, and for walls, plates and lattices.
+// Slots for tangential springs. Discs in a plane touch at most six others each, three contacts a disc; a fourth for
+// soft beds, whose second neighbours may touch, and for walls, plates and lattices.
 int slots_needed(const Parts& p) {
   const long discs = p.disc.count();
   const long flat = static_cast<long>(p.wall.size() + p.plate.size());
@@ -168,7 +168,8 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
   for (int k = list.first_segment[candidate]; k < list.first_segment[candidate + 1]; ++k) {
     const int s = list.segment[k];
     const int link = parts_.border.link[s];
-    const NearestOnSegment n = segment_distance(parts_, now, list.a[candidate], s, auxiliary, link >= 0 && torn_[link] != 0);
+    const NearestOnSegment n =
+        segment_distance(parts_, now, list.a[candidate], s, auxiliary, link >= 0 && torn_[link] != 0);
     if (n.distance2 < best.distance2) {
       best = n;
       segment = s;
@@ -240,7 +241,8 @@ void System::fill_flat(TouchBlock& block, int& next, ContactKind kind, double t,
   block.count = count;
 }
 
-// The contact law over a block. Every lane does the same arithmetic, so the compiler may vectorise without changing a bit.
+// The contact law over a block. Every lane does the same arithmetic, so the compiler may vectorise without changing a
+// bit.
 void System::evaluate(TouchBlock& c) const {
   if (c.kind == disc_disc) {
     const double half = 0.5 * lever_;
@@ -263,7 +265,7 @@ void System::evaluate(TouchBlock& c) const {
     for (int k = 0; k < c.count; ++k) {
       c.approach[k] = c.vx[k] * c.nx[k] + c.vy[k] * c.ny[k];
       c.slip[k] = c.vy[k] * c.nx[k] - c.vx[k] * c.ny[k] + (c.spin_a[k] * c.arm_a[k] + c.spin_b[k] * c.arm_b[k]);
-      const Touch touch{c.overlap[k], c.approach[k],       c.slip[k],        c.spring[k], c.spin_a[k] - c.spin_b[k],
+      const Touch touch{c.overlap[k],        c.approach[k],    c.slip[k], c.spring[k], c.spin_a[k] - c.spin_b[k],
                         c.reduced_radius[k], c.reduced_mass[k]};
       const TouchForce f = hertz_mindlin<decltype(rolling)::value>(law_of(k), touch, rolling_smoothing_);
       c.elastic[k] = f.elastic;
@@ -367,8 +369,9 @@ void System::add_link_forces(double* work) const {
   if (work) work[link_damping] = damping;
 }
 
-// Powers (W) by cause. The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St follows the
-// overlap (1/2 xi^2 dSt/dt, `stiffening`), which no force pays for: a property of Mindlin's law without rescaling.
+// Powers (W) by cause. The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St
+// follows the overlap (1/2 xi^2 dSt/dt, `stiffening`), which no force pays for: a property of Mindlin's law without
+// rescaling.
 void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
   const bool plate = c.kind == disc_plate || c.kind == node_plate;
   for (int k = 0; k < c.count; ++k) {

@@ -1,5 +1,5 @@
-// A scene made ready: a flat state y and a discrete state (which links are intact, which contacts hold a tangential spring).
-// `rhs` is the flow between events and leaves no trace; `jump` is applied once after each accepted step.
+// A scene made ready: a flat state y and a discrete state (which links are intact, which contacts hold a tangential
+// spring). `rhs` is the flow between events and leaves no trace; `jump` is applied once after each accepted step.
 //
 // State:  [ x, y | vx, vy | spin | tangential springs | ledger ]
 //   x, y, vx, vy  one number for each disc, then for each free node          m, m/s
@@ -23,7 +23,7 @@ enum Ledger { link_damping, contact_viscous, friction_work, rolling_work, tear_e
 inline constexpr int ledger_entries = 7;
 
 struct Tear {
-  double time;   // s
+  double time;  // s
   int link;
   double force;  // N, spring force that exceeded the strength
 };

@@ -1,5 +1,5 @@
-// The contacts that touch, as arrays, in blocks: the geometry of one kind of contact fills a block, the contact law runs over
-// it lane by lane, and whoever asked sums up what he needs. One block fits the first-level cache.
+// The contacts that touch, as arrays, in blocks: the geometry of one kind of contact fills a block, the contact law
+// runs over it lane by lane, and whoever asked sums up what he needs. One block fits the first-level cache.
 #pragma once
 
 #include <array>
@@ -16,16 +16,16 @@ struct TouchBlock {
   ContactKind kind = disc_disc;
   int count = 0;
   Indices candidate, a, b, law;
-  Indices segment;                      // disc-lattice: index into Parts::border
-  alignas(64) Numbers share;            // disc-lattice: 0 at node a of the segment, 1 at node b
-  alignas(64) Numbers nx, ny;           // unit vector from a to b
-  alignas(64) Numbers overlap;          // m
-  alignas(64) Numbers vx, vy;           // m/s, velocity of a against b at the contact, without spins
-  alignas(64) Numbers spin_a, spin_b;   // rad/s
+  Indices segment;                         // disc-lattice: index into Parts::border
+  alignas(64) Numbers share;               // disc-lattice: 0 at node a of the segment, 1 at node b
+  alignas(64) Numbers nx, ny;              // unit vector from a to b
+  alignas(64) Numbers overlap;             // m
+  alignas(64) Numbers vx, vy;              // m/s, velocity of a against b at the contact, without spins
+  alignas(64) Numbers spin_a, spin_b;      // rad/s
   alignas(64) Numbers radius_a, radius_b;  // m
-  alignas(64) Numbers arm_a, arm_b;     // m, from the centre to the contact point
+  alignas(64) Numbers arm_a, arm_b;        // m, from the centre to the contact point
   alignas(64) Numbers reduced_radius, reduced_mass, spring;
-  alignas(64) Numbers approach, slip;   // m/s
+  alignas(64) Numbers approach, slip;  // m/s
   // results, see TouchForce
   alignas(64) Numbers elastic, normal, tangential, moment, stiffness, shear_stiffness, shear_viscosity;
 

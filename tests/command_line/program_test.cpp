@@ -39,11 +39,16 @@ class Program : public testing::Test {
     const std::string command = "cd '" + directory_.string() + "' && " + before + " '" FURROW_PROGRAM "' " + arguments +
                                 " >stdout.txt 2>stderr.txt </dev/null";
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(directory_ / "stdout.txt"), text_of(directory_ / "stderr.txt")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(directory_ / "stdout.txt"),
+            text_of(directory_ / "stderr.txt")};
   }
 
-  static std::string scene(const std::string& name) { return "'" FURROW_SOURCE_DIR "/validation/scenes/" + name + ".toml'"; }
-  static std::string bad_scene(const std::string& name) { return "'" FURROW_SOURCE_DIR "/tests/bad_input/" + name + ".toml'"; }
+  static std::string scene(const std::string& name) {
+    return "'" FURROW_SOURCE_DIR "/validation/scenes/" + name + ".toml'";
+  }
+  static std::string bad_scene(const std::string& name) {
+    return "'" FURROW_SOURCE_DIR "/tests/bad_input/" + name + ".toml'";
+  }
 
   std::vector<std::string> files(const std::string& below = ".") const {
     std::vector<std::string> names;
@@ -61,8 +66,8 @@ class Program : public testing::Test {
 TEST_F(Program, RunWritesEveryFileAndPrintsOnlyRunJson) {
   const Result r = furrow("run " + scene("scenario_1") + " --until 0.4 --out here");
   ASSERT_EQ(r.code, 0) << r.err;
-  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml", "run.pvd",
-                           "run.json", "frames/frames.csv", "frames/links_001.csv", "frames/links_001.vtp",
+  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml",
+                           "run.pvd", "run.json", "frames/frames.csv", "frames/links_001.csv", "frames/links_001.vtp",
                            "frames/discs_000.vtp", "frames/plates_000.vtp"}) {
     EXPECT_TRUE(has(std::string("here/") + name)) << name;
   }
@@ -163,7 +168,8 @@ TEST_F(Program, InterruptMarksFilesPartialAndExits130) {
   EXPECT_TRUE(has("here/plate_force.csv.partial"));
   EXPECT_FALSE(has("here/plate_force.csv"));
   EXPECT_EQ(nlohmann::json::parse(text_of(directory_ / "here/run.json"))["ended"], "interrupted");
-  const Result code = furrow("run " + scene("scenario_1") + " --until 1000 --out there", "timeout --preserve-status -s INT 0.5");
+  const Result code =
+      furrow("run " + scene("scenario_1") + " --until 1000 --out there", "timeout --preserve-status -s INT 0.5");
   EXPECT_EQ(code.code, 130);
 }
 
@@ -202,7 +208,9 @@ class SphereReading : public Program {
  protected:
   void write_scene(const std::string& settle) const {
     std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_2.toml");
-    const auto replace = [&](const std::string& old, const std::string& with) { text.replace(text.find(old), old.size(), with); };
+    const auto replace = [&](const std::string& old, const std::string& with) {
+      text.replace(text.find(old), old.size(), with);
+    };
     replace("disc_mass = \"disc\"", "disc_mass = \"sphere\"");
     replace("count = 230", "count = 40");
     replace("working_depth = 0.04", "working_depth = 0.01");
@@ -217,7 +225,8 @@ TEST_F(SphereReading, ExplainAndRunWarnOfTheStep) {
   ASSERT_EQ(explained.code, 0) << explained.err;
   EXPECT_NE(explained.out.find("NOT safely inside"), std::string::npos) << explained.out;
   const Result r = furrow("run sphere.toml --until 0.001 --out here");
-  EXPECT_NE(r.err.find("warning: the step of 0.0001 s is beyond the stability limit of pece: disc "), std::string::npos) << r.err;
+  EXPECT_NE(r.err.find("warning: the step of 0.0001 s is beyond the stability limit of pece: disc "), std::string::npos)
+      << r.err;
   EXPECT_EQ(nlohmann::json::parse(text_of(directory_ / "here/run.json"))["warnings"].size(), 1U);
 }
 

@@ -1,6 +1,6 @@
-// Prints one line "scene hash" for a short run of each scene of the paper and some others, settled and moved for a while with
-// everything on. Built with other compilers and flags, and run with other settings of the neighbour search, it must print the
-// same lines.  Usage: state_hashes DIRECTORY_OF_SCENES
+// Prints one line "scene hash" for a short run of each scene of the paper and some others, settled and moved for a
+// while with everything on. Built with other compilers and flags, and run with other settings of the neighbour search,
+// it must print the same lines.  Usage: state_hashes DIRECTORY_OF_SCENES
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -25,7 +25,8 @@ Scene shortened(Scene scene) {
 std::uint64_t hash_after_run(const Scene& scene) {
   furrow::Prepared prepared = furrow::prepare(scene);
   const auto method = furrow::make_method(scene.time.method);
-  furrow::run(prepared.system, *method, prepared.y, {.start = 0, .end = scene.time.end, .step = scene.time.step, .stop = {}},
+  furrow::run(prepared.system, *method, prepared.y,
+              {.start = 0, .end = scene.time.end, .step = scene.time.step, .stop = {}},
               [](double, const furrow::State&, const furrow::JumpReport&) { return true; });
   return prepared.system.state_hash(prepared.y);
 }
