@@ -68,7 +68,8 @@ std::string draw(const PlotInput& input, std::string_view script, const std::fil
                  std::string_view description) {
   const std::string source = svg.string() + ".gp";
   OutputFile file(source);
-  file << "set encoding utf8\nset datafile separator comma\nset terminal svg\nset output " << gnuplot_text(svg.string()) << "\n"
+  file << "set encoding utf8\nset datafile separator comma\nset terminal svg\nset output " << gnuplot_text(svg.string())
+       << "\n"
        << input.text() << script;
   file.finish();
   run_gnuplot(source);

@@ -147,7 +147,7 @@ Contacts contacts_of(const ForceCurve& c) {
   Contacts found;
   double since = nan;  // mm, start of the stretch without force that we are in
   for (std::size_t k = 0; k < c.mm.size(); ++k) {
-    if (!(c.f[k] > 0)) {
+    if (c.f[k] == 0) {
       if (std::isnan(since)) since = c.mm[k];
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
@@ -58,7 +59,7 @@ void Progress::draw() {
     const double spent = std::chrono::duration<double>(last_ - item.began).count();
     // Settling ends when nothing moves any more, which cannot be foretold.
     if (item.doing == "running" && item.fraction > 0.01) {
-      line += std::to_string(static_cast<int>(spent * (1 / item.fraction - 1) + 0.5)) + " s left ";
+      line += std::to_string(std::lround(spent * (1 / item.fraction - 1))) + " s left ";
     }
     line += " ";
   }

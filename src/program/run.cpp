@@ -30,7 +30,7 @@ RunOutcome run_one(const RunOptions& options, const fs::path& directory, Progres
     return !was_interrupted();
   };
   request.warn = [&](const std::string& text) { progress.say(name + ": warning: " + text); };
-  const RunOutcome outcome = run_with_files(request);
+  RunOutcome outcome = run_with_files(request);
   if (outcome.ended == "diverged") {
     progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is in " +
                  directory.string());

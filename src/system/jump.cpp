@@ -84,17 +84,31 @@ void System::tear_links(double t, State& y, JumpReport& report) {
   if (intact_.empty()) return;
   place_nodes(y);
   const LinkArrays& link = parts_.link;
+  double released = 0;
   for (const int k : intact_) {
     const double rx = nodes_.x[link.a[k]] - nodes_.x[link.b[k]];
     const double ry = nodes_.y[link.a[k]] - nodes_.y[link.b[k]];
     const double stretch = std::sqrt(rx * rx + ry * ry) - link.rest[k];
     const double force = link.stiffness[k] * stretch;
     if (!((link.in_magnitude[k] != 0 ? std::fabs(force) : force) > link.strength[k])) continue;
-    torn_[k] = 1;
     report.torn.push_back({t, k, force});
-    if (keeps_ledger_) y[ledger_of(tear_energy)] += 0.5 * force * stretch;
+    released += 0.5 * force * stretch;
   }
-  if (!report.torn.empty()) std::erase_if(intact_, [this](int k) { return torn_[k] != 0; });
+  if (report.torn.empty()) return;
+  // A torn segment of the border lets go of the disc on it, and of what that contact held.
+  if (keeps_ledger_) released += lattice_contact_energy(t, y);
+  for (const Tear& tear : report.torn) torn_[tear.link] = 1;
+  std::erase_if(intact_, [this](int k) { return torn_[k] != 0; });
+  if (keeps_ledger_) y[ledger_of(tear_energy)] += released - lattice_contact_energy(t, y);
+}
+
+double System::lattice_contact_energy(double t, const State& y) const {
+  double energy = 0;
+  for_each_touch(t, y, [&](const TouchBlock& c) {
+    if (c.kind != disc_lattice) return;
+    for (int k = 0; k < c.count; ++k) energy += stored_energy(c, k);
+  });
+  return energy;
 }
 
 }  // namespace furrow

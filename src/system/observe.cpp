@@ -55,8 +55,7 @@ Observation observe(const System& system, double t, const State& y) {
   system.for_each_touch(t, y, [&](const TouchBlock& c) {
     seen.contacts += c.count;
     for (int k = 0; k < c.count; ++k) {
-      seen.energy.contact_elastic +=
-          elastic_energy(c.elastic[k], c.overlap[k]) + 0.5 * c.shear_stiffness[k] * c.spring[k] * c.spring[k];
+      seen.energy.contact_elastic += stored_energy(c, k);
       const double size = of_disc(c.kind) ? c.radius_a[k] : parts.node.contact_radius[c.a[k]];
       if (c.overlap[k] / size > seen.overlap.relative) {
         seen.overlap = {c.overlap[k], c.overlap[k] / size, partner_name(system, c, k)};

@@ -71,9 +71,10 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       const double taken = method.step(system, end.time, y, regular ? plan.step : next - end.time);
       const std::string complaint = watch.complaint(before, y, taken);
       if (!complaint.empty()) throw Divergence(complaint);
-      end.time = taken == next - end.time || regular ? next : end.time + taken;
+      const double reached = taken == next - end.time || regular ? next : end.time + taken;
+      report = system.jump(reached, y);
+      end.time = reached;
       ++end.steps;
-      report = system.jump(end.time, y);
       if (report.flow_jumped()) {
         method.restart();
       } else if (report.springs_changed) {

@@ -97,6 +97,7 @@ class System : public OdeSystem {
   void add_to_ledger(const TouchBlock& block, double* work, double t) const;
   void arm_contacts(double t, const State& y);
   void return_to_coulomb_limit(double t, State& y, JumpReport& report);
+  double lattice_contact_energy(double t, const State& y) const;
   void tear_links(double t, State& y, JumpReport& report);
 
   Parts parts_;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "physics/contact.h"
 #include "system/search.h"
 
 namespace furrow {
@@ -33,5 +34,10 @@ struct TouchBlock {
   double force_x(int k) const { return -normal[k] * nx[k] - tangential[k] * ny[k]; }
   double force_y(int k) const { return -normal[k] * ny[k] + tangential[k] * nx[k]; }
 };
+
+// J, in the normal and the tangential spring of contact k.
+inline double stored_energy(const TouchBlock& c, int k) {
+  return elastic_energy(c.elastic[k], c.overlap[k]) + 0.5 * c.shear_stiffness[k] * c.spring[k] * c.spring[k];
+}
 
 }  // namespace furrow

@@ -1,0 +1,298 @@
+// Between steps: life of a tangential spring, return to the Coulomb limit, tearing.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scenes.h"
+
+namespace furrow {
+namespace {
+
+using namespace test;
+
+// One disc of radius 0.1 m above a floor, mu = 0.5; a contact is near below a gap of a tenth of the radius, 0.01 m.
+Scene disc_on_floor() {
+  Scene scene = empty_scene();
+  scene.contact.friction = 0.5;
+  scene.disc = {disc({0, 0.15}, 0.1)};
+  scene.wall = {wall({0, 0}, {0, 1})};
+  return scene;
+}
+
+struct DiscOnFloor {
+  System system{disc_on_floor()};
+  State y = system.initial_state();
+  double t = 0;
+
+  JumpReport jump_at_gap(double gap) {
+    y[system.y_of(0)] = 0.1 + gap;
+    t += 1e-3;
+    return system.jump(t, y);
+  }
+  int slot() const {
+    const Candidates& list = system.search().candidates[disc_wall];
+    return list.count() == 0 ? -1 : list.slot[0];
+  }
+  double& spring() { return y[system.first_spring() + slot()]; }
+};
+
+// mu Fn/St = mu (2/3 2 E* root d)/(8 G* root) = mu d E*/(6 G*);  E*/G* = (1e6/1.875)/(4e5/3.5) = 14/3.
+constexpr double limit_for_overlap = 0.5 * 14 / 18;
+
+TEST(TangentialSpring, IsBornBeforeTheTouch) {
+  DiscOnFloor d;
+  d.jump_at_gap(0.0101);
+  EXPECT_EQ(d.slot(), -1);
+  d.jump_at_gap(0.0099);
+  ASSERT_GE(d.slot(), 0);
+  EXPECT_EQ(d.spring(), 0);
+}
+
+TEST(TangentialSpring, WindsOnlyWhileTouching) {
+  DiscOnFloor d;
+  d.jump_at_gap(0.005);
+  d.y[d.system.vx_of(0)] = 0.3;
+  EXPECT_EQ(rates(d.system, d.t, d.y)[d.system.first_spring()], 0);
+  d.y[d.system.y_of(0)] = 0.098;
+  EXPECT_NEAR(rates(d.system, d.t, d.y)[d.system.first_spring()], 0.3, 1e-15);
+}
+
+TEST(TangentialSpring, PushesBack) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  d.spring() = 1e-3;  // below the limit
+  const double stiffness = 8 * (4e5 / 3.5) * std::sqrt(0.1 * 0.01);
+  const Vec2 force = force_on(d.system, rates(d.system, d.t, d.y), 0);
+  EXPECT_NEAR(force.x, -stiffness * 1e-3, 1e-12 * stiffness);
+}
+
+TEST(TangentialSpring, ReturnsToTheCoulombLimitBothWays) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  for (const double sign : {1.0, -1.0}) {
+    d.spring() = sign * 0.5;
+    const JumpReport report = d.jump_at_gap(-0.01);
+    EXPECT_NEAR(d.spring(), sign * limit_for_overlap * 0.01, 1e-15);
+    EXPECT_TRUE(report.springs_changed);
+    EXPECT_FALSE(report.flow_jumped());
+  }
+}
+
+TEST(TangentialSpring, StaysAsItIsBelowTheLimit) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  d.spring() = 0.99 * limit_for_overlap * 0.01;
+  const double before = d.spring();
+  EXPECT_FALSE(d.jump_at_gap(-0.01).springs_changed);
+  EXPECT_EQ(d.spring(), before);
+}
+
+TEST(TangentialSpring, ReturnedEnergyIsBookedAsFriction) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  d.spring() = 0.5;
+  const double stiffness = 8 * (4e5 / 3.5) * std::sqrt(0.1 * 0.01);
+  const double limit = limit_for_overlap * 0.01;
+  d.jump_at_gap(-0.01);
+  const double want = 0.5 * stiffness * (0.25 - limit * limit);
+  EXPECT_NEAR(d.y[d.system.ledger_of(friction_work)], want, 1e-12 * want);
+}
+
+TEST(TangentialSpring, RelaxesWhenTheContactOpens) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  d.spring() = 1e-3;
+  EXPECT_TRUE(d.jump_at_gap(0.001).springs_changed);
+  EXPECT_EQ(d.spring(), 0);
+  EXPECT_FALSE(d.jump_at_gap(0.001).springs_changed);
+}
+
+TEST(TangentialSpring, KeepsItsSlotThroughEightQuietSteps) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  const int slot = d.slot();
+  for (int k = 0; k < 8; ++k) {
+    d.jump_at_gap(0.02);
+    EXPECT_EQ(d.slot(), slot) << "quiet step " << k + 1;
+  }
+  d.jump_at_gap(0.02);
+  EXPECT_EQ(d.slot(), -1);
+}
+
+TEST(TangentialSpring, ANearStepBeginsTheCountAnew) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  for (int k = 0; k < 8; ++k) d.jump_at_gap(0.02);
+  d.jump_at_gap(0.005);
+  for (int k = 0; k < 8; ++k) d.jump_at_gap(0.02);
+  EXPECT_GE(d.slot(), 0);
+}
+
+TEST(TangentialSpring, KeepsItsSlotHoweverFarTheContactFlies) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  const int slot = d.slot();
+  for (int k = 0; k < 8; ++k) d.jump_at_gap(100.0 * (k + 1));  // the list has been renewed
+  EXPECT_EQ(d.slot(), slot);
+  d.jump_at_gap(900);
+  d.jump_at_gap(1900);
+  EXPECT_EQ(d.slot(), -1);
+}
+
+TEST(TangentialSpring, NoTwoContactsShareASlotAndAnUnusedOneIsZero) {
+  System system(busy_scene());
+  State y = system.initial_state();
+  const auto method = make_method("pece");
+  RunPlan plan;
+  plan.end = 0.04;
+  std::size_t most = 0;
+  long reused = 0;
+  std::set<int> ever;
+  std::vector<std::set<int>> history;
+  const RunEnd end = run(system, *method, y, plan, [&](double, const State& now, const JumpReport&) {
+    std::set<int> used;
+    std::size_t holders = 0;
+    for (const Candidates& list : system.search().candidates) {
+      for (const int slot : list.slot) {
+        if (slot < 0) continue;
+        ++holders;
+        used.insert(slot);
+      }
+    }
+    EXPECT_EQ(used.size(), holders);
+    for (int k = 0; k < system.spring_count(); ++k) {
+      EXPECT_TRUE(used.count(k) != 0 || now[system.first_spring() + k] == 0);
+    }
+    if (!history.empty()) {
+      for (const int slot : used) reused += ever.count(slot) != 0 && history.back().count(slot) == 0 ? 1 : 0;
+    }
+    ever.insert(used.begin(), used.end());
+    history.push_back(used);
+    most = std::max(most, used.size());
+    return true;
+  });
+  EXPECT_EQ(end.ending, Ending::finished) << end.reason;
+  EXPECT_GT(most, 20u);
+  EXPECT_GT(reused, 5);
+}
+
+TEST(TangentialSpring, MoreContactsThanThereIsRoomForIsADivergence) {
+  Scene scene = empty_scene();
+  scene.contact.friction = 0.5;
+  for (int k = 0; k < 40; ++k) scene.disc.push_back(disc({1e-3 * k, 0}, 0.1));  // 780 pairs touch
+  System system(scene);
+  State y = system.initial_state();
+  EXPECT_THROW(system.jump(0, y), Divergence);
+}
+
+// k = 4 N/m pulled (or pushed) by exactly 1/2 m: 2 N.
+Scene stretched_by(double stretch, TearRule rule = TearRule::tension) {
+  Scene scene = single_spring(4, 1, 2);
+  scene.lattice[0].tear = rule;
+  scene.lattice[0].node = {node_setting(0, 1, {stretch, 0}, {0.25, 0})};
+  return scene;
+}
+
+JumpReport jump_of(const Scene& scene) {
+  System system(scene);
+  State y = system.initial_state();
+  return system.jump(0, y);
+}
+
+TEST(Tear, HappensAboveTheStrengthAndNotAtIt) {
+  EXPECT_TRUE(jump_of(stretched_by(0.5)).torn.empty());
+  const JumpReport report = jump_of(stretched_by(0.5 + 1e-15));
+  ASSERT_EQ(report.torn.size(), 1u);
+  EXPECT_EQ(report.torn[0].link, 0);
+  EXPECT_NEAR(report.torn[0].force, 2, 1e-14);
+  EXPECT_TRUE(report.flow_jumped());
+}
+
+TEST(Tear, InCompressionOnlyByMagnitude) {
+  EXPECT_TRUE(jump_of(stretched_by(-0.9)).torn.empty());
+  EXPECT_TRUE(jump_of(stretched_by(-0.5, TearRule::magnitude)).torn.empty());
+  EXPECT_EQ(jump_of(stretched_by(-0.51, TearRule::magnitude)).torn.size(), 1u);
+  EXPECT_EQ(jump_of(stretched_by(0.51, TearRule::magnitude)).torn.size(), 1u);
+}
+
+TEST(Tear, DependsOnTheSpringNotOnTheDamper) {
+  Scene scene = stretched_by(0.49);
+  scene.lattice[0].structural.damping = 1e6;
+  EXPECT_TRUE(jump_of(scene).torn.empty());
+}
+
+TEST(Tear, EndsSpringAndDamperForGood) {
+  System system(stretched_by(0.75));
+  State y = system.initial_state();
+  EXPECT_EQ(rates(system, 0, y)[system.vx_of(0)], (-4 * 0.75 - 1 * 0.25) / 2);  // 2 kg
+  EXPECT_EQ(system.jump(3, y).torn.at(0).time, 3);
+  EXPECT_TRUE(system.torn(0));
+  EXPECT_EQ(rates(system, 0, y)[system.vx_of(0)], 0);
+  y[system.x_of(0)] = 1;  // back at rest length
+  EXPECT_TRUE(system.jump(4, y).torn.empty());
+  EXPECT_TRUE(system.torn(0));
+  y[system.x_of(0)] = 0.5;
+  EXPECT_EQ(rates(system, 0, y)[system.vx_of(0)], 0);
+}
+
+TEST(Tear, EnergyOfTheSpringIsBooked) {
+  System system(stretched_by(0.75));
+  State y = system.initial_state();
+  system.jump(0, y);
+  EXPECT_EQ(y[system.ledger_of(tear_energy)], 0.5 * 4 * 0.75 * 0.75);
+}
+
+TEST(Tear, OfEqualLinksHappensAtOnce) {
+  Scene scene = stretched_by(0.75);
+  scene.lattice.push_back(scene.lattice[0]);
+  scene.lattice[1].origin.y = 5;
+  const JumpReport report = jump_of(scene);
+  ASSERT_EQ(report.torn.size(), 2u);
+  EXPECT_EQ(report.torn[0].link, 0);
+  EXPECT_EQ(report.torn[1].link, 1);
+}
+
+TEST(Tear, DoesNotHappenWhileTheSceneIsPrepared) {
+  System system(stretched_by(0.75));
+  State y = system.initial_state();
+  system.prepare(true);
+  EXPECT_TRUE(system.jump(0, y).torn.empty());
+  system.prepare(false);
+  EXPECT_EQ(system.jump(0, y).torn.size(), 1u);
+}
+
+// A disc over the middle of a segment, and one over its end: the link tears, the node stays.
+TEST(Tear, LeavesOnlyTheNodesOfABorderSegment) {
+  Scene scene = empty_scene();
+  scene.disc = {disc({0.6, 0.09}, 0.1), disc({0, 0.09}, 0.1)};
+  Lattice l = lattice({0, 0}, 1, 2, 1);
+  l.structural = link_kind(4, 0, 0.5);
+  l.node = {node_setting(0, 1, {0.25, 0})};
+  scene.lattice = {l};
+  System system(scene);
+  State y = system.initial_state();
+  const State before = rates(system, 0, y);
+  EXPECT_GT(before[system.vy_of(0)], 0);
+  EXPECT_GT(before[system.vy_of(1)], 0);
+  ASSERT_EQ(system.jump(0, y).torn.size(), 1u);
+  const State after = rates(system, 0, y);
+  EXPECT_EQ(after[system.vy_of(0)], 0);
+  EXPECT_EQ(after[system.vy_of(1)], before[system.vy_of(1)]);
+}
+
+TEST(StateHash, KnowsTornLinksAndEveryBit) {
+  System system(stretched_by(0.75));
+  State y = system.initial_state();
+  const std::uint64_t whole = system.state_hash(y);
+  State nudged = y;
+  nudged[0] = std::nextafter(nudged[0], 9);
+  EXPECT_NE(system.state_hash(nudged), whole);
+  State ledger = y;
+  ledger.back() = 1;  // not part of the motion
+  EXPECT_EQ(system.state_hash(ledger), whole);
+  system.jump(0, y);
+  EXPECT_NE(system.state_hash(y), whole);
+}
+
+}  // namespace
+}  // namespace furrow

@@ -1,0 +1,50 @@
+// Tiny systems with a solution in closed form, for the tests of the methods.
+#pragma once
+
+#include <cmath>
+
+#include "methods/method.h"
+
+namespace furrow::test {
+
+// x' = v, v' = -w^2 x - 2 zeta w v
+struct Oscillator final : OdeSystem {
+  Oscillator(double w, double zeta) : frequency(w), ratio(zeta) {}
+  std::size_t size() const override { return 2; }
+  std::size_t positions() const override { return 1; }
+  void rhs(double /*t*/, const State& y, State& dydt) const override {
+    ++calls;
+    dydt[0] = y[1];
+    dydt[1] = -frequency * frequency * y[0] - 2 * ratio * frequency * y[1];
+  }
+  double frequency, ratio;  // rad/s, -
+  mutable long calls = 0;
+};
+
+// z' = e^t, and a position that rests
+struct Clock final : OdeSystem {
+  std::size_t size() const override { return 3; }
+  std::size_t positions() const override { return 1; }
+  void rhs(double t, const State& y, State& dydt) const override {
+    dydt[0] = y[1];
+    dydt[1] = 0;
+    dydt[2] = std::exp(t);
+  }
+};
+
+// z' = -z, and a position that rests
+struct Decay final : OdeSystem {
+  std::size_t size() const override { return 3; }
+  std::size_t positions() const override { return 1; }
+  void rhs(double /*t*/, const State& y, State& dydt) const override {
+    dydt[0] = y[1];
+    dydt[1] = 0;
+    dydt[2] = -y[2];
+  }
+};
+
+inline void advance(Method& method, const OdeSystem& system, State& y, double t, double h, int steps) {
+  for (int k = 0; k < steps; ++k) method.step(system, t + k * h, y, h);
+}
+
+}  // namespace furrow::test

@@ -1,0 +1,134 @@
+#include "output/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <stdexcept>
+
+#include "output/gnuplot.h"
+#include "run_directory.h"
+
+namespace furrow {
+namespace {
+
+using test::RunDirectory;
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string page_of(const RunDirectory& run, const std::string& name = "scenario_1") {
+  const auto out = run.path() / "page";
+  write_report(out, {{name, run.path()}});
+  return text_of(out / "index.html");
+}
+
+bool has(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
+
+TEST(Report, ShowsARunThatEndedWell) {
+  RunDirectory run;
+  run.force({{-3, 4}, {-30, 40}, {0, 0}});
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "Ran to its end, 1 s or 100 mm"));
+  EXPECT_TRUE(has(page, "50 N, at 1 mm"));
+  EXPECT_TRUE(has(page, "steps are &lt;large&gt;"));
+  EXPECT_TRUE(has(page, "Of the 4.8 J of work") && has(page, "residual, what the ledger cannot place, is 0.075 J"));
+  EXPECT_TRUE(has(page, "b) 50 mm"));
+  EXPECT_FALSE(has(page, "class=\"failed\""));
+  EXPECT_FALSE(has(page, "{{"));
+  EXPECT_TRUE(std::filesystem::exists(run.path() / "page" / "scenario_1_force.svg"));
+}
+
+TEST(Report, NeverHidesThatARunFailed) {
+  RunDirectory run;
+  run.facts("diverged", "node 2 left the scene");
+  run.force({{-3, 4}, {-30, 40}});
+  run.write("frames/frames.csv", "index,t [s],displacement [m]\n0,0,0\n");
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "This run is not complete: diverged at 0.5 s of 1 s. Reason: node 2 left the scene"));
+  EXPECT_TRUE(has(page, "50 mm: <span class=\"missing\">missing</span>")) << "the snapshot that was not reached";
+}
+
+TEST(Report, ShowsARunThatNeverStarted) {
+  RunDirectory run;
+  run.write("run.json", "{\"ended\": \"interrupted\", \"reason\": \"\", \"ended_at\": 0.0}");
+  for (const char* file : {"plate_force.csv", "energy.csv", "events.csv", "frames/frames.csv"}) run.remove(file);
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "This run is not complete: interrupted"));
+  EXPECT_TRUE(has(page, "Force on the plate: <span class=\"missing\">"));
+}
+
+TEST(Report, ShowsNotANumberAsMissing) {
+  RunDirectory run;
+  run.force({{-3, 4}, {std::nan(""), 0}, {-1, 0}});
+  EXPECT_TRUE(has(page_of(run), "the sum is largest, <span class=\"missing\">missing</span>"));
+}
+
+TEST(Report, DrawsDiscsOfWhichOneHasNoStress) {
+  RunDirectory run;
+  run.force({{-3, 4}});
+  run.write("frames/discs_000.csv",
+            RunDirectory::discs_heading + "0.05,0.01,0.01,0,0,0,1500\n0.08,0.01,0.01,0,0,0,nan\n");
+  EXPECT_TRUE(has(page_of(run), "the largest value is 1.5 kPa"));
+}
+
+TEST(Report, IdsOfFiguresDoNotClash) {
+  RunDirectory run;
+  run.force({{-3, 4}});
+  const std::string page = page_of(run);
+  std::map<std::string, int> count;
+  const std::regex id(" id=[\"']([^\"']*)");
+  for (auto at = std::sregex_iterator(page.begin(), page.end(), id); at != std::sregex_iterator(); ++at)
+    ++count[(*at)[1]];
+  EXPECT_GT(count.size(), 50u);
+  for (const auto& [name, times] : count) EXPECT_EQ(times, 1) << name;
+}
+
+TEST(Report, SameFilesGiveTheSamePage) {
+  RunDirectory run;
+  run.force({{-3, 4}, {-30, 40}});
+  EXPECT_EQ(page_of(run), page_of(run));
+}
+
+TEST(Report, NamesAMissingFile) {
+  RunDirectory run;
+  run.remove("events.csv");
+  try {
+    page_of(run);
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(has(error.what(), "events.csv: no such file")) << error.what();
+  }
+}
+
+TEST(Report, SaysThatGnuplotIsMissing) {
+  RunDirectory run;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", run.path().c_str(), 1);
+  std::string said;
+  try {
+    draw({}, "plot x", run.path() / "x.svg", "x");
+  } catch (const std::runtime_error& error) {
+    said = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_TRUE(has(said, "gnuplot is not installed")) << said;
+}
+
+TEST(Report, TellsWhatGnuplotComplainsOf) {
+  RunDirectory run;
+  try {
+    draw({}, "plot nonsense_variable\n", run.path() / "it's.svg", "x");
+    FAIL() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(has(error.what(), "undefined variable: nonsense_variable")) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace furrow
