@@ -11,7 +11,7 @@ function(furrow_add_tests label pattern)
   endif()
   add_executable(${label}_tests ${sources})
   target_include_directories(${label}_tests PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${label}_tests PRIVATE furrow GTest::gtest_main rapidcheck rapidcheck_gtest)
+  target_link_libraries(${label}_tests PRIVATE furrow_page GTest::gtest_main rapidcheck rapidcheck_gtest)
   target_compile_definitions(${label}_tests PRIVATE FURROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     FURROW_PROGRAM="${PROJECT_BINARY_DIR}/furrow")
   if(TARGET furrow_program)

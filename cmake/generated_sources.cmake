@@ -1,4 +1,4 @@
-# Two sources of the library that are written while building: build_info.cpp and embedded.cpp.
+# Two sources that are written while building: build_info.cpp of the library and embedded.cpp of the page.
 
 set(generated_dir "${PROJECT_BINARY_DIR}/generated")
 
@@ -27,5 +27,5 @@ add_custom_command(OUTPUT "${generated_dir}/embedded.cpp"
   DEPENDS ${embedded_paths} "${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake"
   COMMENT "Embedding text files" VERBATIM)
 
-target_sources(furrow PRIVATE "${generated_dir}/build_info.cpp" "${generated_dir}/embedded.cpp")
+target_sources(furrow PRIVATE "${generated_dir}/build_info.cpp")
 add_dependencies(furrow furrow_build_info)

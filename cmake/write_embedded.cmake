@@ -13,7 +13,7 @@ endforeach()
 list(LENGTH FILES count)
 
 file(WRITE "${OUTPUT}" "// Written by cmake/write_embedded.cmake; changes here are lost.
-#include \"output/embedded.h\"
+#include \"page/embedded.h\"
 
 #include <array>
 #include <stdexcept>

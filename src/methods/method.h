@@ -36,8 +36,8 @@ class Method {
   // The right-hand side has jumped: what is remembered of it is worth nothing.
   virtual void restart() {}
 
-  // Only the state was touched: a sliding contact's tangential spring returned to its limit. The forces are as before, the
-  // rates of the springs and of the ledger are not.
+  // Only the state was touched: a sliding contact's tangential spring returned to its limit. The forces are as before,
+  // the rates of the springs and of the ledger are not.
   virtual void state_changed() {}
 
   const MethodInfo& info() const { return info_; }

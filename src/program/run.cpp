@@ -6,8 +6,8 @@
 
 #include "methods/method.h"
 #include "output/files.h"
-#include "output/report.h"
 #include "output/run_files.h"
+#include "page/report.h"
 #include "program/commands.h"
 #include "program/progress.h"
 #include "program/request.h"

@@ -206,21 +206,21 @@ TEST_F(Program, ExplainNamesWhatIsModelledLeftOutAndTheStableStep) {
 // The sphere reading has 75 times less mass: the paper's step is far beyond what its contact damping allows.
 class SphereReading : public Program {
  protected:
-  void write_scene(const std::string& settle) const {
+  void write_scene(const std::string& settle, const std::string& discs, const std::string& depth) const {
     std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_2.toml");
     const auto replace = [&](const std::string& old, const std::string& with) {
       text.replace(text.find(old), old.size(), with);
     };
     replace("disc_mass = \"disc\"", "disc_mass = \"sphere\"");
-    replace("count = 230", "count = 40");
-    replace("working_depth = 0.04", "working_depth = 0.01");
+    replace("count = 230", "count = " + discs);
+    replace("working_depth = 0.04", "working_depth = " + depth);
     replace("limit = 20.0", settle);
     std::ofstream(directory_ / "sphere.toml") << text;
   }
 };
 
 TEST_F(SphereReading, ExplainAndRunWarnOfTheStep) {
-  write_scene("limit = 20.0\nstep = 1e-5");
+  write_scene("limit = 20.0\nstep = 1e-5", "40", "0.01");
   const Result explained = furrow("explain sphere.toml");
   ASSERT_EQ(explained.code, 0) << explained.err;
   EXPECT_NE(explained.out.find("NOT safely inside"), std::string::npos) << explained.out;
@@ -231,7 +231,7 @@ TEST_F(SphereReading, ExplainAndRunWarnOfTheStep) {
 }
 
 TEST_F(SphereReading, BedThatDoesNotSettleAtThePapersStepFailsAndSaysWhy) {
-  write_scene("limit = 3.0");
+  write_scene("limit = 3.0", "230", "0.04");
   const Result r = furrow("run sphere.toml --out here");
   EXPECT_EQ(r.code, 3);
   EXPECT_NE(r.err.find("not settled after 3 s"), std::string::npos) << r.err;

@@ -1,5 +1,5 @@
 // Expected numbers are put into the files by hand.
-#include "output/observables.h"
+#include "page/observables.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "output/embedded.h"
+#include "page/embedded.h"
 #include "run_directory.h"
 
 namespace furrow {

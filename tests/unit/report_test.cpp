@@ -1,4 +1,4 @@
-#include "output/report.h"
+#include "page/report.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <regex>
 #include <stdexcept>
 
-#include "output/gnuplot.h"
+#include "page/gnuplot.h"
 #include "run_directory.h"
 
 namespace furrow {

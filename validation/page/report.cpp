@@ -1,4 +1,4 @@
-#include "output/report.h"
+#include "page/report.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "output/embedded.h"
 #include "output/files.h"
-#include "output/gnuplot.h"
-#include "output/observables.h"
+#include "page/embedded.h"
+#include "page/gnuplot.h"
+#include "page/observables.h"
 
 namespace furrow {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output/table.h"
+#include "page/table.h"
 #include "scene/scene.h"
 #include "system/parts.h"
 

@@ -1,4 +1,4 @@
-#include "output/gnuplot.h"
+#include "page/gnuplot.h"
 
 #include <sys/wait.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "output/files.h"
-#include "output/table.h"
+#include "page/table.h"
 
 namespace furrow {
 namespace {

@@ -1,4 +1,4 @@
-#include "output/observables.h"
+#include "page/observables.h"
 
 #ifndef TOML_HEADER_ONLY
 #define TOML_HEADER_ONLY 0

@@ -1,4 +1,4 @@
-#include "output/table.h"
+#include "page/table.h"
 
 #include <algorithm>
 #include <charconv>
