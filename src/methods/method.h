@@ -62,10 +62,12 @@ const std::vector<MethodInfo>& method_catalogue();
 // Throws std::invalid_argument that lists the names if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
-// The makers, one file each.
-std::unique_ptr<Method> make_pece();
-std::unique_ptr<Method> make_verlet();
-std::unique_ptr<Method> make_runge_kutta_4();
-std::unique_ptr<Method> make_odeint(const std::string& name, const Tolerances& tolerances);
+// The makers. Fixed-step methods take no notice of the tolerances.
+std::unique_ptr<Method> make_pece(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_verlet(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_odeint_rk4(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_odeint_abm2(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_odeint_dopri5(const Tolerances& tolerances = {});
 
 }  // namespace furrow

@@ -119,20 +119,20 @@ class ControlledDopri5 final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_odeint(const std::string& name, const Tolerances& tolerances) {
-  if (name == "odeint_rk4") {
-    return std::make_unique<FixedOdeint<odeint::runge_kutta4<State>>>(
-        MethodInfo{name, "Boost.Odeint runge_kutta4", 4, 4, false});
-  }
-  if (name == "odeint_abm2") {
-    return std::make_unique<FixedOdeint<odeint::adams_bashforth_moulton<2, State>>>(MethodInfo{
-        name, "Boost.Odeint adams_bashforth_moulton<2>: the paper's scheme, started by a step of rk4", 2, 2, false});
-  }
-  if (name == "odeint_dopri5") {
-    return std::make_unique<ControlledDopri5>(
-        MethodInfo{name, "Boost.Odeint runge_kutta_dopri5, controlled", 5, 6, true}, tolerances);
-  }
-  throw std::invalid_argument("no method '" + name + "' of Boost.Odeint");
+std::unique_ptr<Method> make_odeint_rk4(const Tolerances& /*tolerances*/) {
+  return std::make_unique<FixedOdeint<odeint::runge_kutta4<State>>>(
+      MethodInfo{"odeint_rk4", "Boost.Odeint runge_kutta4", 4, 4, false});
+}
+
+std::unique_ptr<Method> make_odeint_abm2(const Tolerances& /*tolerances*/) {
+  return std::make_unique<FixedOdeint<odeint::adams_bashforth_moulton<2, State>>>(
+      MethodInfo{"odeint_abm2", "Boost.Odeint adams_bashforth_moulton<2>: the paper's scheme, started by a step of rk4",
+                 2, 2, false});
+}
+
+std::unique_ptr<Method> make_odeint_dopri5(const Tolerances& tolerances) {
+  return std::make_unique<ControlledDopri5>(
+      MethodInfo{"odeint_dopri5", "Boost.Odeint runge_kutta_dopri5, controlled", 5, 6, true}, tolerances);
 }
 
 }  // namespace furrow

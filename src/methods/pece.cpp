@@ -44,6 +44,6 @@ class Pece final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_pece() { return std::make_unique<Pece>(); }
+std::unique_ptr<Method> make_pece(const Tolerances& /*tolerances*/) { return std::make_unique<Pece>(); }
 
 }  // namespace furrow

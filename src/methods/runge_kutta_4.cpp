@@ -36,6 +36,6 @@ class RungeKutta4 final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_runge_kutta_4() { return std::make_unique<RungeKutta4>(); }
+std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& /*tolerances*/) { return std::make_unique<RungeKutta4>(); }
 
 }  // namespace furrow

@@ -49,6 +49,6 @@ class Verlet final : public Method {
 
 }  // namespace
 
-std::unique_ptr<Method> make_verlet() { return std::make_unique<Verlet>(); }
+std::unique_ptr<Method> make_verlet(const Tolerances& /*tolerances*/) { return std::make_unique<Verlet>(); }
 
 }  // namespace furrow

@@ -89,6 +89,7 @@ class System : public OdeSystem {
  private:
   void place_nodes(const State& y) const;
   Placement placement(double t, const State& y) const;
+  void take_candidate(TouchBlock& block, int at, const Candidates& list, int candidate, const State& y) const;
   void fill_discs(TouchBlock& block, int& next, const State& y) const;
   void fill_flat(TouchBlock& block, int& next, ContactKind kind, double t, const State& y) const;
   void evaluate(TouchBlock& block) const;
