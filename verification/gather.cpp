@@ -1,7 +1,7 @@
 // Reads the records of all checks, says what is missing, and prints the checks closest to their limits.
 //
 // usage: gather RECORDS REQUIREMENTS TESTS
-//   RECORDS       directory with one .jsonl file a test; checks.json is written into it
+//   RECORDS       directory with one .jsonl file a test; checks.json and summary.txt are written into it
 //   REQUIREMENTS  directory with .toml files
 //   TESTS         file with the output of --gtest_list_tests: every test must have left records
 // Exit codes: 0 good, 1 a check failed, a test left no record, a requirement has no check or a check no requirement;
@@ -95,15 +95,20 @@ int main(int argc, char** argv) try {
   out.close();
   if (!out) throw std::runtime_error("cannot write " + (records / "checks.json").string());
 
-  std::printf("%zu checks of %zu requirements in %zu tests, %zu failed; closest to their limits:\n", checks.size(),
-              requirements.size(), tests.size(), failed);
-  std::printf("  %8s  %-10s  %-10s  %s\n", "of limit", "error", "tolerance", "check");
-  for (std::size_t k = 0; k < std::min<std::size_t>(12, checks.size()); ++k) {
-    const ordered_json& c = checks[k];
-    std::printf("  %6.1f %%  %-10.2e  %-10.2e  %s: %s\n", 100 * number(c["of_limit"]), number(c["error"]),
-                number(c["tolerance"]), c["test"].get<std::string>().c_str(), c["name"].get<std::string>().c_str());
+  std::FILE* summary = std::fopen((records / "summary.txt").c_str(), "w");
+  if (summary == nullptr) throw std::runtime_error("cannot write " + (records / "summary.txt").string());
+  for (std::FILE* to : {stdout, summary}) {
+    std::fprintf(to, "%zu checks of %zu requirements in %zu tests, %zu failed; closest to their limits:\n",
+                 checks.size(), requirements.size(), tests.size(), failed);
+    std::fprintf(to, "  %8s  %-10s  %-10s  %s\n", "of limit", "error", "tolerance", "check");
+    for (std::size_t k = 0; k < std::min<std::size_t>(12, checks.size()); ++k) {
+      const ordered_json& c = checks[k];
+      std::fprintf(to, "  %6.1f %%  %-10.2e  %-10.2e  %s: %s\n", 100 * number(c["of_limit"]), number(c["error"]),
+                   number(c["tolerance"]), c["test"].get<std::string>().c_str(), c["name"].get<std::string>().c_str());
+    }
+    for (const std::string& fault : faults) std::fprintf(to, "FAULT: %s\n", fault.c_str());
   }
-  for (const std::string& fault : faults) std::printf("FAULT: %s\n", fault.c_str());
+  std::fclose(summary);
   return failed == 0 && faults.empty() ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "gather: error: %s\n", error.what());

@@ -380,6 +380,24 @@ std::string how_made(const std::vector<RunRecord>& runs) {
   return rows;
 }
 
+// The runs in a table for a page in Markdown.
+std::string scene_table(const std::vector<RunRecord>& runs) {
+  std::string table =
+      "| scene | steps | evaluations | CPU [s] | largest force [N] | links torn | energy residual, of the plate's work "
+      "| "
+      "state hash |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
+  for (const RunRecord& run : runs) {
+    const auto last = [&](const char* column) {
+      return run.energy.rows() > 0 ? run.energy.numbers(column).back() : NAN;
+    };
+    table += "| " + run.name + (run.finished() ? "" : " (" + shown(run, "ended") + ")") + " | " + shown(run, "steps") +
+             " | " + shown(run, "rhs_evaluations") + " | " + shown(run, "cpu_seconds") + " | " +
+             shown(measure(run, "largest_force").value) + " | " + std::to_string(run.torn.size()) + " | " +
+             shown(100 * last("residual [J]") / last("plate work [J]")) + " % | `" + shown(run, "state_hash") + "` |\n";
+  }
+  return table;
+}
+
 }  // namespace
 
 void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& reported) {
@@ -400,6 +418,9 @@ void write_report(const std::filesystem::path& out, const std::vector<ReportedRu
                                             {"scenes", scenes},
                                             {"made", how_made(runs)}});
   page.finish();
+  OutputFile table(out / "scenes.md");
+  table << scene_table(runs);
+  table.finish();
 }
 
 }  // namespace furrow
