@@ -56,6 +56,14 @@ std::vector<Fault> faults_in(const fs::path& file) {
   return faults;
 }
 
+std::string commit_of(const fs::path& tree) {
+  std::string commit;
+  std::FILE* git = popen(("git -C '" + tree.string() + "' describe --always --dirty 2>/dev/null").c_str(), "r");
+  for (int letter = 0; git != nullptr && (letter = std::fgetc(git)) > ' ';) commit += static_cast<char>(letter);
+  if (git != nullptr) pclose(git);
+  return commit.empty() ? "unknown" : commit;
+}
+
 // What the suite said to a change of the source.
 struct Verdict {
   std::string trouble;           // not empty: the change could not be tried
@@ -227,7 +235,10 @@ int main(int argc, char** argv) try {
   for (unsigned k = 0; k < std::min<unsigned>(jobs, static_cast<unsigned>(faults.size())); ++k)
     threads.emplace_back(worker, k);
   for (std::thread& thread : threads) thread.join();
-  std::ofstream(work / "faults.json") << nlohmann::ordered_json(results).dump(1) << "\n";
+  nlohmann::ordered_json report;
+  report["commit"] = commit_of(tree);
+  report["results"] = results;
+  std::ofstream(work / "faults.json") << report.dump(1) << "\n";
   std::printf("%zu tried, %d not noticed or in trouble; %s\n", faults.size(), holes, (work / "faults.json").c_str());
   return holes == 0 ? 0 : 1;
 } catch (const std::exception& error) {

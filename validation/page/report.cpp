@@ -12,35 +12,14 @@
 #include "output/files.h"
 #include "page/embedded.h"
 #include "page/gnuplot.h"
+#include "page/html.h"
 #include "page/observables.h"
+#include "page/verification.h"
 
 namespace furrow {
 namespace {
 
-const std::string missing = "<span class=\"missing\">missing</span>";
-
 std::string figure_file(const std::string& name) { return std::string(embedded("validation/figures/" + name)); }
-
-// Three significant digits, or fewer where they say all, as HTML.
-std::string shown(double value) {
-  if (!std::isfinite(value)) return missing;
-  const double size = std::abs(value);
-  const int power = size > 0 ? static_cast<int>(std::floor(std::log10(size) + 1e-9)) : 0;
-  const bool scientific = power < -4 || power > 6;
-  const double mantissa = scientific ? size / std::pow(10.0, power) : size;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", scientific ? 2 : std::max(0, 2 - power), mantissa);
-  std::string digits = text.data();
-  if (digits.find('.') != std::string::npos && std::strtod(text.data(), nullptr) == mantissa) {
-    digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.back() == '.') digits.pop_back();
-  }
-  return (value < 0 ? "−" : "") + digits + (scientific ? " × 10<sup>" + std::to_string(power) + "</sup>" : "");
-}
-
-std::string with_unit(double value, const std::string& unit) {
-  return std::isfinite(value) && !unit.empty() ? shown(value) + " " + unit : shown(value);
-}
 
 // Replaces every {{key}}.
 std::string filled(const std::string& page, const std::map<std::string, std::string>& values) {
@@ -54,16 +33,8 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
   }
 }
 
-std::string element(const std::string& tag, const std::string& content, const std::string& kind = {}) {
-  return "<" + tag + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + content + "</" + tag + ">\n";
-}
-
-std::string figure(const std::string& content, const std::string& caption) {
-  return element("figure", content + element("figcaption", caption));
-}
-
 // An entry of run.json as HTML.
-std::string shown(const RunRecord& run, const std::string& key) {
+std::string fact_shown(const RunRecord& run, const std::string& key) {
   const Fact* fact = run.fact(key);
   if (!fact) return missing;
   if (fact->fraction) return shown(std::strtod(fact->texts[0].c_str(), nullptr));
@@ -87,8 +58,8 @@ std::string ending(const RunRecord& run) {
         element("p", "Ran to its end, " + end + " or " + with_unit(travel(run), "mm") + " of plate travel.", "ending");
   } else {
     html = element("p",
-                   "This run is not complete: " + shown(run, "ended") + " at " + shown(run, "ended_at") + " s of " +
-                       end + ". Reason: " + shown(run, "reason"),
+                   "This run is not complete: " + fact_shown(run, "ended") + " at " + fact_shown(run, "ended_at") +
+                       " s of " + end + ". Reason: " + fact_shown(run, "reason"),
                    "failed");
   }
   if (const Fact* told = run.fact("warnings")) {
@@ -366,7 +337,7 @@ std::string how_made(const std::vector<RunRecord>& runs) {
     const std::string& key = fact.key;
     if (key == "title" || key == "warnings") continue;
     std::vector<std::string> cells;
-    for (const RunRecord& run : runs) cells.push_back(shown(run, key));
+    for (const RunRecord& run : runs) cells.push_back(fact_shown(run, key));
     if (key == "scene") {
       for (std::string& cell : cells) cell = std::filesystem::path(cell).filename().string();
     }
@@ -390,25 +361,28 @@ std::string scene_table(const std::vector<RunRecord>& runs) {
     const auto last = [&](const char* column) {
       return run.energy.rows() > 0 ? run.energy.numbers(column).back() : NAN;
     };
-    table += "| " + run.name + (run.finished() ? "" : " (" + shown(run, "ended") + ")") + " | " + shown(run, "steps") +
-             " | " + shown(run, "rhs_evaluations") + " | " + shown(run, "cpu_seconds") + " | " +
-             shown(measure(run, "largest_force").value) + " | " + std::to_string(run.torn.size()) + " | " +
-             shown(100 * last("residual [J]") / last("plate work [J]")) + " % | `" + shown(run, "state_hash") + "` |\n";
+    table += "| " + run.name + (run.finished() ? "" : " (" + fact_shown(run, "ended") + ")") + " | " +
+             fact_shown(run, "steps") + " | " + fact_shown(run, "rhs_evaluations") + " | " +
+             fact_shown(run, "cpu_seconds") + " | " + shown(measure(run, "largest_force").value) + " | " +
+             std::to_string(run.torn.size()) + " | " + shown(100 * last("residual [J]") / last("plate work [J]")) +
+             " % | `" + fact_shown(run, "state_hash") + "` |\n";
   }
   return table;
 }
 
 }  // namespace
 
-void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& reported) {
+void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& reported,
+                  const Evidence& evidence) {
   const Publication paper = read_publication(embedded("reference_data/published/paper.toml"));
   std::vector<RunRecord> runs;
   for (const ReportedRun& r : reported) runs.push_back(read_run(r.name, r.directory));
   std::filesystem::create_directories(out);
   std::string contents, scenes;
   for (const RunRecord& run : runs) {
-    contents += element("li", "<a href=\"#" + run.name + "\">" + escaped(run.scene.title) + "</a>" +
-                                  (run.finished() ? "" : ": " + element("strong", shown(run, "ended"), "missing")));
+    contents +=
+        element("li", "<a href=\"#" + run.name + "\">" + escaped(run.scene.title) + "</a>" +
+                          (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
     scenes += SceneSection(run, paper, out).html();
   }
   OutputFile page(out / "index.html");
@@ -416,6 +390,7 @@ void write_report(const std::filesystem::path& out, const std::vector<ReportedRu
                                             {"paper", escaped(paper.title)},
                                             {"contents", contents},
                                             {"scenes", scenes},
+                                            {"verification", verification_section(evidence)},
                                             {"made", how_made(runs)}});
   page.finish();
   OutputFile table(out / "scenes.md");

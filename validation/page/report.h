@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "page/verification.h"
+
 namespace furrow {
 
 struct ReportedRun {
@@ -15,6 +17,7 @@ struct ReportedRun {
 // Writes index.html, which needs no other file, and the figures beside it as SVG into `out`, which is made if need be.
 // Runs that diverged or were interrupted are shown as such. Throws std::runtime_error: gnuplot missing, a file missing
 // or malformed.
-void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& runs);
+void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& runs,
+                  const Evidence& evidence = {});
 
 }  // namespace furrow

@@ -1,0 +1,44 @@
+// Small pieces of HTML.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace furrow {
+
+inline const std::string missing = "<span class=\"missing\">missing</span>";
+
+// Three significant digits, or fewer where they say all, as HTML.
+inline std::string shown(double value) {
+  if (!std::isfinite(value)) return missing;
+  const double size = std::abs(value);
+  const int power = size > 0 ? static_cast<int>(std::floor(std::log10(size) + 1e-9)) : 0;
+  const bool scientific = power < -4 || power > 6;
+  const double mantissa = scientific ? size / std::pow(10.0, power) : size;
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", scientific ? 2 : std::max(0, 2 - power), mantissa);
+  std::string digits = text.data();
+  if (digits.find('.') != std::string::npos && std::strtod(text.data(), nullptr) == mantissa) {
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+  }
+  return (value < 0 ? "−" : "") + digits + (scientific ? " × 10<sup>" + std::to_string(power) + "</sup>" : "");
+}
+
+inline std::string with_unit(double value, const std::string& unit) {
+  return std::isfinite(value) && !unit.empty() ? shown(value) + " " + unit : shown(value);
+}
+
+inline std::string element(const std::string& tag, const std::string& content, const std::string& kind = {}) {
+  return "<" + tag + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + content + "</" + tag + ">\n";
+}
+
+inline std::string figure(const std::string& content, const std::string& caption) {
+  return element("figure", content + element("figcaption", caption));
+}
+
+}  // namespace furrow
