@@ -25,7 +25,7 @@ class OdeSystem {
   // How many of the leading numbers count in the error control of a controlled method.
   virtual std::size_t controlled() const { return size(); }
 
-  // Pure: the same (t, y) gives the same bits, in whatever order it is called.
+  // Pure: the same (t, y) gives the same bits, in whatever order it is called. dydt has the size of y already.
   virtual void rhs(double t, const State& y, State& dydt) const = 0;
 
  protected:

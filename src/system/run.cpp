@@ -57,7 +57,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   const Watch watch(system);
   RunEnd end{Ending::finished, {}, plan.start, 0};
   const double tiny = 1e-9 * plan.step;
-  State before;
+  State before = y;
   try {
     JumpReport report = system.jump(plan.start, y);
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
@@ -83,7 +83,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
     }
   } catch (const Divergence& failure) {
-    if (!before.empty()) y = before;
+    y = before;
     end.ending = Ending::diverged;
     end.reason = failure.what();
   }
