@@ -14,6 +14,8 @@ function(furrow_add_tests label pattern)
   target_link_libraries(${label}_tests PRIVATE furrow_page GTest::gtest_main rapidcheck rapidcheck_gtest)
   target_compile_definitions(${label}_tests PRIVATE FURROW_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     FURROW_PROGRAM="${PROJECT_BINARY_DIR}/furrow")
+  # Tests need not be fast, but they are most of what is compiled. The library under test stays as it is.
+  target_compile_options(${label}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
   if(TARGET furrow_program)
     add_dependencies(${label}_tests furrow_program)
   endif()

@@ -1,9 +1,7 @@
 // Pictures of a run at chosen times: CSV for figures, VTK (.vtp and a .pvd that lists them) for ParaView.
 #pragma once
 
-#include <filesystem>
-#include <vector>
-
+#include "output/files.h"
 #include "system/system.h"
 
 namespace furrow {
@@ -11,20 +9,18 @@ namespace furrow {
 class Frames {
  public:
   // Writes into `directory` / frames, which must exist.
-  explicit Frames(std::filesystem::path directory) : directory_(std::move(directory)) {}
+  explicit Frames(const std::filesystem::path& directory);
 
   // displacement: of the first plate, m.
   void add(const System& system, double t, double displacement, const State& y);
 
-  // Lists the frames: frames/frames.csv and run.pvd.
-  void finish() const;
+  // Completes the lists of frames, frames/frames.csv and run.pvd.
+  void finish();
 
  private:
-  struct Frame {
-    double t, displacement;
-  };
   std::filesystem::path directory_;
-  std::vector<Frame> frames_;
+  OutputFile list_, pvd_;
+  int count_ = 0;
 };
 
 }  // namespace furrow

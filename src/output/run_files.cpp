@@ -1,15 +1,15 @@
 #include "output/run_files.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cinttypes>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <optional>
 
 #include "output/build_info.h"
-#include "output/files.h"
 #include "output/frames.h"
 #include "scene/read.h"
 #include "system/observe.h"
@@ -22,9 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string hexadecimal(std::uint64_t value) {
-  std::ostringstream text;
-  text << std::hex << value;
-  return std::string(16 - std::min<std::size_t>(16, text.str().size()), '0') + text.str();
+  char text[17];
+  std::snprintf(text, sizeof text, "%016" PRIx64, value);
+  return text;
 }
 
 std::string processor_name() {
@@ -35,45 +35,42 @@ std::string processor_name() {
   return "unknown";
 }
 
-double cpu_seconds() {  // of this thread: runs go side by side
+double seconds(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-
-class Stopwatch {
- public:
-  double cpu() const { return cpu_seconds() - cpu_; }
-  double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count(); }
-
- private:
-  double cpu_ = cpu_seconds();
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-};
+double cpu_seconds() { return seconds(CLOCK_THREAD_CPUTIME_ID); }  // of this thread: runs go side by side
+double wall_seconds() { return seconds(CLOCK_MONOTONIC); }
 
 // An empty or new directory, or one with an earlier run, which is removed.
 void claim_directory(const fs::path& directory) {
   std::error_code failed;
-  if (fs::exists(directory, failed) && !fs::is_directory(directory, failed)) {
+  const auto exists = [&](const fs::path& path) { return fs::exists(path, failed); };
+  const auto throw_if_failed = [&](const char* what, const fs::path& path) {
+    if (failed) throw FileError(what + path.string() + ": " + failed.message());
+  };
+  const auto make = [&](const fs::path& path) {
+    fs::create_directories(path, failed);
+    throw_if_failed("cannot make ", path);
+  };
+  if (exists(directory) && !fs::is_directory(directory, failed))
     throw FileError(directory.string() + " is not a directory");
-  }
-  if (fs::exists(directory, failed) && !fs::is_empty(directory, failed) &&
-      !fs::exists(directory / "run.json", failed) && !fs::exists(directory / "run.json.partial", failed)) {
+  if (exists(directory) && !fs::is_empty(directory, failed) && !exists(directory / "run.json") &&
+      !exists(directory / "run.json.partial")) {
     throw FileError(directory.string() +
                     " is neither empty nor an earlier run (it has no run.json); choose another --out");
   }
-  fs::create_directories(directory, failed);
-  if (failed) throw FileError("cannot make " + directory.string() + ": " + failed.message());
-  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml",
-                           "run.pvd", "run.json"}) {
+  make(directory);
+  for (const std::string name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml",
+                                 "run.pvd", "run.json"}) {
     for (const char* ending : {"", ".partial"}) {
-      fs::remove(directory / (std::string(name) + ending), failed);
-      if (failed) throw FileError("cannot replace " + (directory / name).string() + ": " + failed.message());
+      fs::remove(directory / (name + ending), failed);
+      throw_if_failed("cannot replace ", directory / name);
     }
   }
   fs::remove_all(directory / "frames", failed);
-  fs::create_directories(directory / "frames", failed);
-  if (failed) throw FileError("cannot make " + (directory / "frames").string() + ": " + failed.message());
+  make(directory / "frames");
 }
 
 // Distance the first plate has gone; without a plate the time stands for nothing and this is 0.
@@ -83,22 +80,23 @@ double displacement(const System& system, double t) {
   return std::sqrt(p.vx * p.vx + p.vy * p.vy) * t;
 }
 
+std::string name_or_index(const std::string& name, std::size_t index) {
+  return name.empty() ? std::to_string(index) : name;
+}
+
 class Series {
  public:
   Series(const fs::path& directory, const Scene& scene)
       : scene_(scene),
-        force_(directory / "plate_force.csv"),
-        energy_(directory / "energy.csv"),
-        motion_(directory / "motion.csv"),
-        events_(directory / "events.csv"),
-        frames_(directory) {
-    force_ << "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]\n";
-    energy_ << "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],contact "
-               "viscous [J],"
-               "friction [J],rolling [J],tear [J],plate work [J],stiffening [J],residual [J]\n";
-    motion_ << "t [s],px [kg m/s],py [kg m/s],L [kg m^2/s],contacts,overlap [m],relative overlap [-],speed [m/s]\n";
-    events_ << "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]\n";
-  }
+        force_(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]"),
+        energy_(directory / "energy.csv",
+                "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
+                "contact viscous [J],friction [J],rolling [J],tear [J],plate work [J],stiffening [J],residual [J]"),
+        motion_(directory / "motion.csv",
+                "t [s],px [kg m/s],py [kg m/s],L [kg m^2/s],contacts,overlap [m],relative overlap [-],speed [m/s]"),
+        events_(directory / "events.csv",
+                "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]"),
+        frames_(directory) {}
 
   // Rows and pictures that are due; a fixed step takes the accepted time nearest to what was asked for.
   void see(const System& system, double t, const State& y, const JumpReport& report) {
@@ -134,8 +132,7 @@ class Series {
     if (rows_ == 0) start_ = seen.energy;
     for (std::size_t k = 0; k < seen.plate.size(); ++k) {
       const Force& f = seen.plate[k];
-      const std::string& name = scene_.plate[k].name;
-      force_.row(t, name.empty() ? std::to_string(k) : name, displacement(system, t), f.x, f.y, std::hypot(f.x, f.y));
+      force_.row(t, name_or_index(scene_.plate[k].name, k), displacement(system, t), f.x, f.y, std::hypot(f.x, f.y));
     }
     const Energies& e = seen.energy;
     if (system.keeps_ledger()) {
@@ -152,10 +149,9 @@ class Series {
     const NodeArrays& node = parts.node;
     const int a = parts.link.a[tear.link];
     const int b = parts.link.b[tear.link];
-    const std::string& name = parts.lattice[node.lattice[a]].name;
     events_.row(tear.time, displacement(system, tear.time), to_string(parts.link.kind[tear.link]),
-                name.empty() ? std::to_string(node.lattice[a]) : name, node.row[a], node.column[a], node.row[b],
-                node.column[b], (node.body[a] < 0 ? 1 : 0) + (node.body[b] < 0 ? 1 : 0), tear.force);
+                name_or_index(parts.lattice[node.lattice[a]].name, node.lattice[a]), node.row[a], node.column[a],
+                node.row[b], node.column[b], (node.body[a] < 0 ? 1 : 0) + (node.body[b] < 0 ? 1 : 0), tear.force);
   }
 
   const Scene& scene_;
@@ -171,8 +167,8 @@ void write_state(const fs::path& directory, const System& system, double t, cons
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   const Parts& parts = system.parts();
   const System::Nodes nodes = system.nodes(y);
-  OutputFile file(directory / "state.csv");
-  file << "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]\n";
+  OutputFile file(directory / "state.csv",
+                  "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]");
   for (int i = 0; i < parts.disc.count(); ++i) {
     file.row("disc", i, y[system.x_of(i)], y[system.y_of(i)], y[system.vx_of(i)], y[system.vy_of(i)],
              system.has_friction() ? y[system.spin_of(i)] : 0, parts.disc.radius[i], von_mises(stress[i]));
@@ -194,47 +190,40 @@ void write_text(const fs::path& file, const std::string& text) {
 
 RunOutcome run_with_files(const RunRequest& request) {
   const Scene& asked = request.scene;
+  const Timing& time = asked.time;
   claim_directory(request.directory);
-  nlohmann::ordered_json json;
-  json["scene"] = request.scene_file;
-  json["title"] = asked.title;
-  json["scene_hash"] = hexadecimal(scene_hash(asked));
-  json["commit"] = build_info().commit;
-  json["compiler"] = build_info().compiler;
-  json["flags"] = build_info().flags;
-  json["build_type"] = build_info().build_type;
-  json["machine"] = processor_name();
-  json["method"] = asked.time.method;
-  json["step"] = asked.time.step;
-  json["end"] = asked.time.end;
-  json["seed"] = nlohmann::json::array();
-  for (const Packing& p : asked.packing) json["seed"].push_back(p.seed);
   write_text(request.directory / "scene.toml", canonical_text(asked));
 
-  RunOutcome outcome;
-  RunEnd end;
-  const auto conclude = [&]() {
-    json["ended"] = outcome.ended;
-    json["reason"] = outcome.reason;
-    json["ended_at"] = end.time;
-    outcome.json = json.dump(2) + "\n";
-    write_text(request.directory / "run.json", outcome.json);
-    return outcome;
-  };
-  const auto go_on = [&](const std::string& doing, double done, double total) {
-    return !request.progress || request.progress(doing, done, total);
+  const BuildInfo& build = build_info();
+  nlohmann::ordered_json json{{"scene", request.scene_file},
+                              {"title", asked.title},
+                              {"scene_hash", hexadecimal(scene_hash(asked))},
+                              {"commit", build.commit},
+                              {"compiler", build.compiler},
+                              {"flags", build.flags},
+                              {"build_type", build.build_type},
+                              {"machine", processor_name()},
+                              {"method", time.method},
+                              {"step", time.step},
+                              {"end", time.end},
+                              {"seed", nlohmann::json::array()}};
+  for (const Packing& p : asked.packing) json["seed"].push_back(p.seed);
+  const auto conclude = [&](const std::string& ended, const std::string& reason, double at) {
+    json["ended"] = ended;
+    json["reason"] = reason;
+    json["ended_at"] = at;
+    write_text(request.directory / "run.json", json.dump(2) + "\n");
+    return RunOutcome{ended, reason, json.dump(2) + "\n"};
   };
 
-  const Stopwatch preparation;
+  const double began = cpu_seconds();
   std::optional<Prepared> prepared;
   try {
-    prepared.emplace(prepare(asked, [&](double t, double) { return go_on("settling", t, asked.settle->limit); }));
+    prepared = prepare(asked, [&](double t, double) { return request.progress("settling", t, asked.settle->limit); });
   } catch (const Interrupted& stopped) {
-    outcome = {"interrupted", stopped.what(), {}};
-    return conclude();
+    return conclude("interrupted", stopped.what(), 0);
   } catch (const Divergence& failure) {
-    outcome = {"diverged", failure.what(), {}};
-    return conclude();
+    return conclude("diverged", failure.what(), 0);
   }
   System& system = prepared->system;
   State& y = prepared->y;
@@ -244,41 +233,37 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["state_size"] = system.size();
   json["settling_time"] = prepared->settling_time;
   json["settling_steps"] = prepared->settling_steps;
-  json["settling_cpu_seconds"] = preparation.cpu();
-  json["surface"] = prepared->surface ? nlohmann::ordered_json(*prepared->surface) : nlohmann::ordered_json(nullptr);
-  json["warnings"] = step_warnings(system, 0, y, asked.time.method, asked.time.step);
-  for (const auto& warning : json["warnings"]) {
-    if (request.warn) request.warn(warning.get<std::string>());
-  }
+  json["settling_cpu_seconds"] = cpu_seconds() - began;
+  json["surface"] = nullptr;
+  if (prepared->surface) json["surface"] = *prepared->surface;
+  const std::vector<std::string> warnings = step_warnings(system, 0, y, time.method, time.step);
+  json["warnings"] = warnings;
+  for (const std::string& warning : warnings) request.warn(warning);
 
-  const Stopwatch running;
+  const double cpu = cpu_seconds(), wall = wall_seconds();
   Series series(request.directory, prepared->scene);
-  const auto method =
-      make_method(asked.time.method, {asked.time.relative_tolerance, asked.time.absolute_tolerance, asked.time.step});
+  const auto method = make_method(time.method, {time.relative_tolerance, time.absolute_tolerance, time.step});
   const RunPlan plan{.start = 0,
-                     .end = asked.time.end,
-                     .step = method->info().controlled ? asked.time.max_step : asked.time.step,
+                     .end = time.end,
+                     .step = method->info().controlled ? time.max_step : time.step,
                      .stop = [&](double t) { return series.next_stop(t); }};
   long steps = 0;
-  end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
+  const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
     series.see(system, t, now, report);
-    return ++steps % 64 != 0 || go_on("running", t, asked.time.end);
+    return ++steps % 64 != 0 || request.progress("running", t, time.end);
   });
   series.close(end.ending != Ending::stopped);
   write_state(request.directory, system, end.time, y);
   json["steps"] = end.steps;
   json["rhs_evaluations"] = method->evaluations();
   json["rejected"] = method->rejections();
-  json["cpu_seconds"] = running.cpu();
-  json["wall_seconds"] = running.wall();
+  json["cpu_seconds"] = cpu_seconds() - cpu;
+  json["wall_seconds"] = wall_seconds() - wall;
   json["state_hash"] = hexadecimal(system.state_hash(y));
   json["greatest_relative_overlap"] = series.greatest_overlap().relative;
   json["greatest_overlap_between"] = series.greatest_overlap().between;
-  outcome.ended = end.ending == Ending::finished  ? "finished"
-                  : end.ending == Ending::stopped ? "interrupted"
-                                                  : "diverged";
-  outcome.reason = end.reason;
-  return conclude();
+  const bool finished = end.ending == Ending::finished, stopped = end.ending == Ending::stopped;
+  return conclude(finished ? "finished" : stopped ? "interrupted" : "diverged", end.reason, end.time);
 }
 
 }  // namespace furrow

@@ -15,8 +15,9 @@ struct RunRequest {
   Scene scene;             // with the user's changes applied
   std::filesystem::path directory;
   // Called now and then: what is being done, done and total model time. False interrupts.
-  std::function<bool(const std::string& doing, double done, double total)> progress;
-  std::function<void(const std::string&)> warn;
+  std::function<bool(const std::string& doing, double done, double total)> progress = [](const std::string&, double,
+                                                                                         double) { return true; };
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
 struct RunOutcome {

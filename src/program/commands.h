@@ -1,9 +1,10 @@
-// The commands of the program `furrow`. Each returns its exit code.
+// The commands of the program `furrow` that run scenes. Each returns its exit code.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "scene/scene.h"
 
 namespace furrow {
 
@@ -17,10 +18,19 @@ struct RunOptions {
   std::string directory;        // empty: runs/<name of the scene>
 };
 
+// The scene with the changes from the command line. Throws SceneError for a bad file, std::invalid_argument for a bad
+// change.
+Scene requested_scene(const RunOptions& options);
+
 int run_command(const RunOptions& options);
-int check_command(const std::vector<std::string>& scenes);
 int explain_command(const RunOptions& options);
-int methods_command();
-int report_command(const std::string& directory, const std::string& scenes, bool reuse);
+
+struct ReportOptions {
+  std::string directory = "report";
+  std::string scenes = "validation/scenes";
+  bool reuse = false;
+  std::string checks, faults;  // what verification left, shown on the page; see Evidence
+};
+int report_command(const ReportOptions& options);
 
 }  // namespace furrow

@@ -1,11 +1,12 @@
 // What of a scene is modelled, what is left out, and what follows from its numbers.
+#include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 
 #include "methods/method.h"
 #include "program/commands.h"
 #include "program/progress.h"
-#include "program/request.h"
 #include "system/observe.h"
 #include "system/prepare.h"
 #include "system/stiffness.h"
@@ -13,65 +14,57 @@
 namespace furrow {
 namespace {
 
-void line(const char* part, const std::string& text) { std::printf("  %-22s %s\n", part, text.c_str()); }
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
+[[gnu::format(printf, 2, 3)]] void line(const std::string& part, const char* pattern, ...) {
+  std::printf("  %-22s ", part.c_str());
+  std::va_list values;
+  va_start(values, pattern);
+  std::vprintf(pattern, values);
+  va_end(values);
+  std::printf("\n");
 }
 
-std::string count(long n, const std::string& one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
+std::string count(std::size_t n, const std::string& one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
 
 void print_modelled(const Scene& scene, const System& system) {
   const Parts& parts = system.parts();
   const bool spins = system.has_friction() && parts.disc.count() > 0;
-  std::printf("\nmodelled (%s of state)\n", count(static_cast<long>(system.size()), "number").c_str());
+  std::printf("\nmodelled (%s of state)\n", count(system.size(), "number").c_str());
   if (parts.disc.count() > 0) {
-    line("discs",
-         format("%d, %d numbers each: x, y, vx, vy%s; masses as %s", parts.disc.count(), spins ? 5 : 4,
-                spins ? ", spin" : "",
-                scene.model.disc_mass == DiscMass::disc ? "discs (m = rho pi R^2 b)" : "spheres (m = 4/3 pi rho R^3)"));
+    line("discs", "%d, %d numbers each: x, y, vx, vy%s; masses as %s", parts.disc.count(), spins ? 5 : 4,
+         spins ? ", spin" : "",
+         scene.model.disc_mass == DiscMass::disc ? "discs (m = rho pi R^2 b)" : "spheres (m = 4/3 pi rho R^3)");
   }
   if (parts.node.count() > 0) {
-    line("lattice nodes",
-         format("%d free, 4 numbers each; %d fixed, none", parts.free_nodes, parts.node.count() - parts.free_nodes));
-    int of_kind[3] = {0, 0, 0};
-    for (const LinkClass kind : parts.link.kind) ++of_kind[static_cast<int>(kind)];
-    line("links", format("%d: %d structural, %d shear, %d bending; no numbers of their own", parts.link.count(),
-                         of_kind[0], of_kind[1], of_kind[2]));
+    const auto of = [&](LinkClass kind) { return std::count(parts.link.kind.begin(), parts.link.kind.end(), kind); };
+    line("lattice nodes", "%d free, 4 numbers each; %d fixed, none", parts.free_nodes,
+         parts.node.count() - parts.free_nodes);
+    line("links", "%d: %td structural, %td shear, %td bending; no numbers of their own", parts.link.count(),
+         of(LinkClass::structural), of(LinkClass::shear), of(LinkClass::bending));
   }
-  line("walls, plates", count(static_cast<long>(parts.wall.size()), "wall") + ", " +
-                            count(static_cast<long>(parts.plate.size()), "plate") + "; no numbers: they do not react");
-  if (system.spring_count() > 0) {
-    line("tangential springs", format("room for %d contacts with friction", system.spring_count()));
-  }
-  if (system.keeps_ledger())
-    line("energy ledger", format("%d numbers (output.energy = false saves them)", ledger_entries));
+  line("walls, plates", "%s, %s; no numbers: they do not react", count(parts.wall.size(), "wall").c_str(),
+       count(parts.plate.size(), "plate").c_str());
+  if (system.spring_count() > 0)
+    line("tangential springs", "room for %d contacts with friction", system.spring_count());
+  if (system.keeps_ledger()) line("energy ledger", "%d numbers (output.energy = false saves them)", ledger_entries);
 }
 
 void print_left_out(const Scene& scene, const System& system) {
   const Parts& parts = system.parts();
   std::printf("\nleft out\n");
   if (!system.has_friction()) line("friction", "every friction coefficient is zero: no spins, no tangential springs");
-  if (system.has_friction() && !system.has_rolling() && parts.disc.count() > 0) {
+  if (system.has_friction() && !system.has_rolling() && parts.disc.count() > 0)
     line("rolling resistance", "every rolling friction coefficient is zero");
-  }
   if (parts.disc.count() == 0) line("neighbour search", "no discs");
   if (scene.model.gravity == 0) line("gravity", "model.gravity = 0");
   for (const Lattice& l : scene.lattice) {
     const std::string name = "lattice " + l.name;
-    if (!l.gravity && scene.model.gravity != 0) line(name.c_str(), "has no weight (gravity = false)");
-    const auto missing = [&](const char* kind, const LinkKind& k) {
+    if (!l.gravity && scene.model.gravity != 0) line(name, "has no weight (gravity = false)");
+    for (const auto& [kind, k] : {std::pair("structural", l.structural), {"shear", l.shear}, {"bending", l.bending}}) {
       if (k.stiffness == 0 && k.damping == 0)
-        line(name.c_str(), std::string("has no ") + kind + " links (stiffness and damping 0)");
+        line(name, "has no %s links (stiffness and damping 0)", kind);
       else if (std::isinf(k.strength))
-        line(name.c_str(), std::string("its ") + kind + " links never tear (no strength given)");
-    };
-    missing("structural", l.structural);
-    missing("shear", l.shear);
-    missing("bending", l.bending);
+        line(name, "its %s links never tear (no strength given)", kind);
+    }
   }
   if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
@@ -99,91 +92,90 @@ void print_contacts(const Scene& scene, const System& system) {
       const ContactLaw& law = parts.law[parts.law_of(a, b)];
       const std::string pair = scene.material[a].name + " - " + scene.material[b].name;
       if (std::isinf(law.modulus)) {
-        line(pair.c_str(), "both rigid: they must not meet");
+        line(pair, "both rigid: they must not meet");
         continue;
       }
       const double ratio = law.viscosity / 2;  // c / (2 sqrt(Sn m*)), at any overlap
-      line(pair.c_str(), format("E* = %.6g Pa, G* = %.6g Pa, friction %g, rolling %g", law.modulus, law.shear_modulus,
-                                law.friction, law.rolling));
-      line("", format("damping ratio %.4g at any overlap%s", ratio,
-                      ratio > 1 ? ": beyond critical, a contact does not bounce but creeps back" : ""));
+      line(pair, "E* = %.6g Pa, G* = %.6g Pa, friction %g, rolling %g", law.modulus, law.shear_modulus, law.friction,
+           law.rolling);
+      line("", "damping ratio %.4g at any overlap%s", ratio,
+           ratio > 1 ? ": beyond critical, a contact does not bounce but creeps back" : "");
     }
   }
-  if (parts.disc.count() == 0) return;
-  int least = 0;
-  for (int i = 0; i < parts.disc.count(); ++i) least = parts.disc.radius[i] < parts.disc.radius[least] ? i : least;
-  const ContactLaw& law = parts.law[parts.law_of(parts.disc.material[least], parts.disc.material[least])];
+}
+
+// Two of the smallest discs against each other: their effective radius and mass are half of one's.
+void print_smallest_disc(const Scene& scene, const Parts& parts) {
+  const DiscArrays& disc = parts.disc;
+  if (disc.count() == 0) return;
+  const auto least = std::min_element(disc.radius.begin(), disc.radius.end()) - disc.radius.begin();
+  const ContactLaw& law = parts.law[parts.law_of(disc.material[least], disc.material[least])];
   if (std::isinf(law.modulus)) return;
   const double speed = characteristic_speed(scene);
-  const double radius = parts.disc.radius[least] / 2;
-  const double mass = parts.disc.mass[least] / 2;
+  const double radius = disc.radius[least] / 2, mass = disc.mass[least] / 2;
   const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(radius);
   const double overlap = std::pow(5 * mass * speed * speed / (4 * factor), 0.4);
   const double stiffness = 2 * law.modulus * std::sqrt(radius * overlap);
-  line("smallest disc", format("R = %g m, m = %.6g kg, I = %.6g kg m^2", parts.disc.radius[least],
-                               parts.disc.mass[least], parts.disc.inertia[least]));
+  line("smallest disc", "R = %g m, m = %.6g kg, I = %.6g kg m^2", disc.radius[least], disc.mass[least],
+       disc.inertia[least]);
   // 2.943275 = 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10)
-  line("two of them, elastic", format("closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s",
-                                      speed, overlap, overlap / parts.disc.radius[least],
-                                      factor * overlap * std::sqrt(overlap), 2.943275184324047 * overlap / speed));
-  line("critical damping", format("at that overlap: %.4g N s/m; the scene has %.4g N s/m",
-                                  2 * std::sqrt(stiffness * mass), law.viscosity * std::sqrt(stiffness * mass)));
+  line("two of them, elastic", "closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s", speed,
+       overlap, overlap / disc.radius[least], factor * overlap * std::sqrt(overlap),
+       2.943275184324047 * overlap / speed);
+  line("critical damping", "at that overlap: %.4g N s/m; the scene has %.4g N s/m", 2 * std::sqrt(stiffness * mass),
+       law.viscosity * std::sqrt(stiffness * mass));
 }
 
-void print_step(const Scene& scene, const Prepared& prepared) {
-  const System& system = prepared.system;
-  const Observation seen = observe(system, 0, prepared.y);
+void print_start(const Prepared& prepared) {
+  const Observation seen = observe(prepared.system, 0, prepared.y);
   std::printf("\nwhere it stands at t = 0\n");
   if (prepared.surface) {
-    line("settled", format("after %.3g s; surface at %.4g m", prepared.settling_time, *prepared.surface));
-    for (const Plate& p : prepared.scene.plate)
-      line(("plate " + p.name).c_str(), format("lower edge at %.4g m", *p.lower_edge));
+    line("settled", "after %.3g s; surface at %.4g m", prepared.settling_time, *prepared.surface);
+    for (const Plate& p : prepared.scene.plate) line("plate " + p.name, "lower edge at %.4g m", *p.lower_edge);
   }
-  line("contacts", std::to_string(seen.contacts));
+  line("contacts", "%d", seen.contacts);
   if (seen.contacts > 0) {
-    line("greatest overlap", format("%.3g m, %.3g of the radius, between %s", seen.overlap.depth, seen.overlap.relative,
-                                    seen.overlap.between.c_str()));
+    line("greatest overlap", "%.3g m, %.3g of the radius, between %s", seen.overlap.depth, seen.overlap.relative,
+         seen.overlap.between.c_str());
   }
-  const StiffPart part = stiffest_part(system, 0, prepared.y);
+}
+
+void print_step(const Timing& time, const Prepared& prepared) {
+  const StiffPart part = stiffest_part(prepared.system, 0, prepared.y);
   std::printf("\nstable step\n");
-  if (part.name.empty()) {
-    line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
-    return;
-  }
-  line("stiffest part", format("%s, %d contacts, its neighbours held%s", part.name.c_str(), part.contacts,
-                               part.spins ? ", its fastest motion a spin" : ""));
-  line("", format("omega = %.4g rad/s, damping ratio %.4g", part.oscillator.omega, part.oscillator.zeta));
+  if (part.name.empty()) return line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
+  line("stiffest part", "%s, %d contacts, its neighbours held%s", part.name.c_str(), part.contacts,
+       part.spins ? ", its fastest motion a spin" : "");
+  line("", "omega = %.4g rad/s, damping ratio %.4g", part.oscillator.omega, part.oscillator.zeta);
   for (const MethodInfo& m : method_catalogue()) {
     const double limit = largest_stable_step(m.name, part.oscillator);
-    const bool chosen = m.name == scene.time.method;
-    if (std::isinf(limit)) {
-      line(m.name.c_str(), std::string("chooses its own step") + (chosen ? "   <- the scene's method" : ""));
-    } else {
-      line(m.name.c_str(), format("%.3g s; %.3g s when all neighbours move against it%s", limit, limit / 2,
-                                  chosen ? "   <- the scene's method" : ""));
-    }
+    const char* chosen = m.name == time.method ? "   <- the scene's method" : "";
+    if (std::isinf(limit))
+      line(m.name, "chooses its own step%s", chosen);
+    else
+      line(m.name, "%.3g s; %.3g s when all neighbours move against it%s", limit, limit / 2, chosen);
   }
-  const std::vector<std::string> warnings = step_warnings(system, 0, prepared.y, scene.time.method, scene.time.step);
-  line("the scene's step", format("%g s: %s", scene.time.step, warnings.empty() ? "well inside" : "NOT safely inside"));
-  for (const std::string& text : warnings) line("", "warning: " + text);
+  const std::vector<std::string> warnings = step_warnings(prepared.system, 0, prepared.y, time.method, time.step);
+  line("the scene's step", "%g s: %s", time.step, warnings.empty() ? "well inside" : "NOT safely inside");
+  for (const std::string& text : warnings) line("", "warning: %s", text.c_str());
 }
 
 }  // namespace
 
 int explain_command(const RunOptions& options) {
   const Scene scene = requested_scene(options);
-  catch_interrupts();
   Progress progress;
   std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
   const System unsettled = prepare(without_settling(scene)).system;
   print_modelled(scene, unsettled);
   print_left_out(scene, unsettled);
   print_contacts(scene, unsettled);
+  print_smallest_disc(scene, unsettled.parts());
   std::fflush(stdout);
-  print_step(scene, prepare(scene, [&](double t, double) {
-               progress.show(options.scene, "settling", t, scene.settle->limit);
-               return !was_interrupted();
-             }));
+  const Prepared prepared = prepare(
+      scene, [&](double t, double) { return progress.show(options.scene, "settling", t, scene.settle->limit); });
+  print_start(prepared);
+  print_step(scene.time, prepared);
   return good;
 }
 

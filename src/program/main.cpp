@@ -1,22 +1,53 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <iostream>
 
+#include "methods/method.h"
 #include "output/build_info.h"
-#include "output/files.h"
 #include "program/commands.h"
 #include "scene/read.h"
 #include "system/prepare.h"
 
+namespace furrow {
 namespace {
+
+int fail(const std::string& message, ExitCode code) {
+  std::cerr << message << "\n";
+  return code;
+}
+
+int check_command(const std::vector<std::string>& scenes) {
+  int code = good;
+  for (const std::string& file : scenes) {
+    try {
+      make_method(read_scene(file).time.method);
+      std::cout << file << ": ok\n";
+    } catch (const SceneError& error) {
+      code = fail(error.what(), bad_input);
+    } catch (const std::exception& error) {  // cannot be read, or names an unknown method; the others are still checked
+      code = fail(file + ": error: " + error.what(), bad_input);
+    }
+  }
+  return code;
+}
+
+int methods_command() {
+  std::printf("name           order  f a step  step        what\n");
+  for (const MethodInfo& m : method_catalogue()) {
+    std::printf("%-14s %5d  %8d  %-10s  %s\n", m.name.c_str(), m.order, m.evaluations,
+                m.controlled ? "controlled" : "fixed", m.title.c_str());
+  }
+  return good;
+}
 
 int parse_and_run(int argc, char** argv) {
   CLI::App app{"furrow: a reference solver for soil, tool and root in two dimensions"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", "furrow " + std::string(furrow::build_info().version) + " (" +
-                                        std::string(furrow::build_info().commit) + ")");
+  app.set_version_flag("--version",
+                       "furrow " + std::string(build_info().version) + " (" + std::string(build_info().commit) + ")");
   app.footer("Exit codes: 0 good, 1 a check failed, 2 usage or scene, 3 diverged, 4 input or output, 130 interrupted.");
 
-  furrow::RunOptions options;
+  RunOptions options;
   const auto add_overrides = [&options](CLI::App* command) {
     command->add_option("scene", options.scene, "scene file (TOML)")->required();
     command->add_option("--method", options.method, "integration method, see `furrow methods`");
@@ -37,45 +68,42 @@ int parse_and_run(int argc, char** argv) {
 
   auto* methods = app.add_subcommand("methods", "list the integration methods");
 
-  std::string report_directory = "report";
-  std::string scene_directory = "validation/scenes";
-  bool reuse = false;
+  ReportOptions reported;
   auto* report = app.add_subcommand("report", "run the paper's three scenes and write one page about them");
-  report->add_option("--out", report_directory, "directory for the page and the runs")->capture_default_str();
-  report->add_option("--scenes", scene_directory, "directory of the scene files")->capture_default_str();
-  report->add_flag("--reuse", reuse, "keep runs that are there and finished, make only the page anew");
+  report->add_option("--out", reported.directory, "directory for the page and the runs")->capture_default_str();
+  report->add_option("--scenes", reported.scenes, "directory of the scene files")->capture_default_str();
+  report->add_flag("--reuse", reported.reuse, "keep runs that are there and finished, make only the page anew");
+  report->add_option("--checks", reported.checks, "checks.json of the verification tests, to be shown on the page");
+  report->add_option("--faults", reported.faults, "faults.json of the fault study, to be shown on the page");
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? furrow::good : furrow::bad_input;
+    return app.exit(error) == 0 ? good : bad_input;
   }
-  if (*run) return furrow::run_command(options);
-  if (*check) return furrow::check_command(scenes);
-  if (*explain) return furrow::explain_command(options);
-  if (*methods) return furrow::methods_command();
-  return furrow::report_command(report_directory, scene_directory, reuse);
+  if (*run) return run_command(options);
+  if (*check) return check_command(scenes);
+  if (*explain) return explain_command(options);
+  if (*methods) return methods_command();
+  return report_command(reported);
 }
 
 }  // namespace
+}  // namespace furrow
 
 int main(int argc, char** argv) {
-  const auto fail = [](const std::string& what, int code) {
-    std::fprintf(stderr, "furrow: error: %s\n", what.c_str());
-    return code;
-  };
+  const std::string error = "furrow: error: ";
   try {
-    return parse_and_run(argc, argv);
-  } catch (const furrow::SceneError& error) {
-    for (const std::string& message : error.messages()) std::fprintf(stderr, "%s\n", message.c_str());
-    return furrow::bad_input;
-  } catch (const std::invalid_argument& error) {
-    return fail(error.what(), furrow::bad_input);
+    return furrow::parse_and_run(argc, argv);
+  } catch (const furrow::SceneError& fault) {
+    return furrow::fail(fault.what(), furrow::bad_input);
+  } catch (const std::invalid_argument& fault) {
+    return furrow::fail(error + fault.what(), furrow::bad_input);
   } catch (const furrow::Interrupted&) {
     return furrow::interrupted;
-  } catch (const furrow::Divergence& error) {
-    return fail(error.what(), furrow::diverged);
-  } catch (const std::exception& error) {
-    return fail(error.what(), furrow::io_failed);
+  } catch (const furrow::Divergence& fault) {
+    return furrow::fail(error + fault.what(), furrow::diverged);
+  } catch (const std::exception& fault) {
+    return furrow::fail(error + fault.what(), furrow::io_failed);
   }
 }

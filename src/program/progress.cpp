@@ -9,58 +9,56 @@
 namespace furrow {
 namespace {
 
-volatile std::sig_atomic_t interrupts = 0;
+constexpr const char* clear_line = "\r\033[K";
+volatile std::sig_atomic_t interrupted_once = 0;
 
 void note(int signal_number) {
-  interrupts = interrupts + 1;
+  interrupted_once = 1;
   std::signal(signal_number, SIG_DFL);
 }
 
 }  // namespace
 
-void catch_interrupts() {
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
 }
 
-bool was_interrupted() { return interrupts > 0; }
-
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
-
 Progress::~Progress() {
-  if (drawn_) std::fputs("\r\033[K", stderr);
+  if (drawn_) std::fputs(clear_line, stderr);
 }
 
-void Progress::show(const std::string& name, const std::string& doing, double done, double total) {
-  if (!terminal_) return;
-  const std::scoped_lock lock(mutex_);
-  const auto now = std::chrono::steady_clock::now();
-  Item& item = items_[name];
-  if (item.doing != doing) item = {doing, 0, now};
-  item.fraction = done / total;
-  if (now - last_ < std::chrono::milliseconds(100)) return;
-  last_ = now;
-  draw();
+bool Progress::show(const std::string& name, const std::string& doing, double done, double total) {
+  if (terminal_) {
+    const std::scoped_lock lock(mutex_);
+    const auto now = Clock::now();
+    Item& item = items_[name];
+    if (item.doing != doing) item = {doing, 0, now};
+    item.fraction = done / total;
+    if (now - last_ >= std::chrono::milliseconds(100)) {
+      last_ = now;
+      draw();
+    }
+  }
+  return interrupted_once == 0;
 }
 
 void Progress::say(const std::string& line) {
   const std::scoped_lock lock(mutex_);
-  std::fprintf(stderr, "%s%s\n", drawn_ ? "\r\033[K" : "", line.c_str());
+  std::fprintf(stderr, "%s%s\n", drawn_ ? clear_line : "", line.c_str());
   drawn_ = false;
 }
 
 void Progress::draw() {
-  std::string line = "\r\033[K";
+  std::string line = clear_line;
   for (const auto& [name, item] : items_) {
-    constexpr int width = 16;
-    const int full = static_cast<int>(item.fraction * width);
-    line += name + " " + item.doing + " [" + std::string(static_cast<std::size_t>(full), '#') +
-            std::string(static_cast<std::size_t>(width - full), '.') + "] ";
+    std::string bar(16, '.');
+    const auto full = static_cast<std::size_t>(item.fraction * static_cast<double>(bar.size()));
+    line += name + " " + item.doing + " [" + bar.replace(0, full, full, '#') + "] ";
     const double spent = std::chrono::duration<double>(last_ - item.began).count();
     // Settling ends when nothing moves any more, which cannot be foretold.
-    if (item.doing == "running" && item.fraction > 0.01) {
+    if (item.doing == "running" && item.fraction > 0.01)
       line += std::to_string(std::lround(spent * (1 / item.fraction - 1))) + " s left ";
-    }
     line += " ";
   }
   std::fputs(line.c_str(), stderr);

@@ -8,28 +8,26 @@
 
 namespace furrow {
 
-// From now on an interrupt (or a request to terminate) is only noted; a second one ends the program at once.
-void catch_interrupts();
-bool was_interrupted();
-
 class Progress {
  public:
+  // From now on an interrupt (or a request to terminate) is only noted; a second one ends the program at once.
   Progress();
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Safe to call from several threads.
-  void show(const std::string& name, const std::string& doing, double done, double total);
+  // False once there was an interrupt. Safe to call from several threads.
+  bool show(const std::string& name, const std::string& doing, double done, double total);
 
   // Prints a whole line to standard error without damage to the progress line.
   void say(const std::string& line);
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct Item {
     std::string doing;
     double fraction = 0;
-    std::chrono::steady_clock::time_point began;
+    Clock::time_point began;
   };
   void draw();
 
@@ -37,7 +35,7 @@ class Progress {
   bool terminal_;
   bool drawn_ = false;
   std::map<std::string, Item> items_;
-  std::chrono::steady_clock::time_point last_{};
+  Clock::time_point last_{};
 };
 
 }  // namespace furrow

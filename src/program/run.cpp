@@ -1,5 +1,7 @@
-#include <cstdio>
+#include <atomic>
 #include <filesystem>
+#include <fstream>
+#include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -10,7 +12,6 @@
 #include "page/report.h"
 #include "program/commands.h"
 #include "program/progress.h"
-#include "program/request.h"
 #include "scene/read.h"
 
 namespace furrow {
@@ -22,23 +23,43 @@ int exit_code_of(const RunOutcome& outcome) {
   return outcome.ended == "finished" ? good : outcome.ended == "diverged" ? diverged : interrupted;
 }
 
-RunOutcome run_one(const RunOptions& options, const fs::path& directory, Progress& progress) {
+RunOutcome run_one(const RunOptions& options, Progress& progress) {
   const std::string name = fs::path(options.scene).stem();
-  RunRequest request{options.scene, requested_scene(options), directory, {}, {}};
+  const fs::path directory = options.directory.empty() ? "runs" / fs::path(name) : fs::path(options.directory);
+  RunRequest request{.scene_file = options.scene, .scene = requested_scene(options), .directory = directory};
   request.progress = [&](const std::string& doing, double done, double total) {
-    progress.show(name, doing, done, total);
-    return !was_interrupted();
+    return progress.show(name, doing, done, total);
   };
   request.warn = [&](const std::string& text) { progress.say(name + ": warning: " + text); };
   RunOutcome outcome = run_with_files(request);
-  if (outcome.ended == "diverged") {
-    progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is in " +
-                 directory.string());
-  } else if (outcome.ended == "interrupted") {
-    progress.say("furrow: " + name + " was interrupted; what it had written is marked .partial in " +
-                 directory.string());
-  }
+  const std::string in_directory = " in " + directory.string();
+  if (outcome.ended == "diverged")
+    progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is" + in_directory);
+  if (outcome.ended == "interrupted")
+    progress.say("furrow: " + name + " was interrupted; what it had written is marked .partial" + in_directory);
   return outcome;
+}
+
+// As many at once as the machine has processors. Returns the worst exit code.
+int run_side_by_side(const std::vector<RunOptions>& wanted) {
+  Progress progress;
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    int worst = good;
+    try {
+      for (std::size_t k; (k = next++) < wanted.size();)
+        worst = std::max(worst, exit_code_of(run_one(wanted[k], progress)));
+    } catch (...) {
+      next = wanted.size();  // nothing more is begun
+      throw;
+    }
+    return worst;
+  };
+  std::vector<std::future<int>> workers(std::max(1U, std::thread::hardware_concurrency()));
+  for (auto& worker : workers) worker = std::async(std::launch::async, work);
+  int worst = good;
+  for (auto& worker : workers) worst = std::max(worst, worker.get());
+  return worst;
 }
 
 bool finished_run_in(const fs::path& directory) {
@@ -63,60 +84,28 @@ Scene requested_scene(const RunOptions& options) {
 }
 
 int run_command(const RunOptions& options) {
-  catch_interrupts();
-  const fs::path directory =
-      options.directory.empty() ? fs::path("runs") / fs::path(options.scene).stem() : fs::path(options.directory);
   Progress progress;
-  const RunOutcome outcome = run_one(options, directory, progress);
+  const RunOutcome outcome = run_one(options, progress);
   std::cout << outcome.json << std::flush;
   return exit_code_of(outcome);
 }
 
-int report_command(const std::string& directory, const std::string& scenes, bool reuse) {
-  catch_interrupts();
+int report_command(const ReportOptions& options) {
   std::vector<ReportedRun> runs;
   std::vector<RunOptions> wanted;
-  for (const char* name : {"scenario_3", "scenario_2", "scenario_1"}) {  // the longest first
-    runs.push_back({name, fs::path(directory) / name});
-    RunOptions options;
-    options.scene = (fs::path(scenes) / (std::string(name) + ".toml")).string();
-    if (!reuse || !finished_run_in(runs.back().directory)) wanted.push_back(options);
-    requested_scene(options);  // say what is wrong with any of them before the first one starts
+  for (const std::string name : {"scenario_3", "scenario_2", "scenario_1"}) {  // the longest first
+    runs.push_back({name, fs::path(options.directory) / name});
+    const RunOptions one{.scene = fs::path(options.scenes) / (name + ".toml"), .directory = runs.back().directory};
+    if (!options.reuse || !finished_run_in(one.directory)) wanted.push_back(one);
+    requested_scene(one);  // say what is wrong with any of them before the first one starts
   }
-  int worst = good;
-  {
-    Progress progress;
-    std::mutex mutex;
-    std::size_t next = 0;
-    std::exception_ptr failure;
-    const auto work = [&] {
-      while (true) {
-        RunOptions mine;
-        {
-          const std::scoped_lock lock(mutex);
-          if (next == wanted.size() || failure) return;
-          mine = wanted[next++];
-        }
-        try {
-          const int code = exit_code_of(run_one(mine, fs::path(directory) / fs::path(mine.scene).stem(), progress));
-          const std::scoped_lock lock(mutex);
-          worst = std::max(worst, code);
-        } catch (...) {
-          const std::scoped_lock lock(mutex);
-          failure = std::current_exception();
-        }
-      }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k) threads.emplace_back(work);
-    for (std::thread& thread : threads) thread.join();
-    if (failure) std::rethrow_exception(failure);
-  }
+  const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
-  write_report(directory, runs);
-  std::cout << (fs::path(directory) / "index.html").string() << "\n";
-  return worst;
+  const Evidence evidence{options.checks, options.faults};
+  write_report(options.directory, runs, evidence);
+  std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
+  return worst == good && failed_checks(evidence) > 0 ? check_failed : worst;
 }
 
 }  // namespace furrow

@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -29,22 +30,20 @@ class Faults {
 
   void add(toml::source_position at, const std::string& path, const std::string& message) {
     std::string text = path + (path.empty() ? "" : ": ") + message;
-    for (char& c : text) c = printable(c) ? c : '?';                               // keys in quotes may hold anything
-    faults_.emplace_back(at ? at : toml::source_position{1, 1}, std::move(text));  // an empty file has no places
+    for (char& c : text) c = printable(c) ? c : '?';                          // keys in quotes may hold anything
+    faults_.emplace(at ? at : toml::source_position{1, 1}, std::move(text));  // an empty file has no places
   }
 
-  void throw_if_any() {
-    if (faults_.empty()) return;
-    std::stable_sort(faults_.begin(), faults_.end(), [](auto& a, auto& b) { return a.first < b.first; });
+  void throw_if_any() const {
     std::vector<std::string> messages;
     for (const auto& [at, text] : faults_)
       messages.push_back(file_ + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) + ": error: " + text);
-    throw SceneError(std::move(messages));
+    if (!messages.empty()) throw SceneError(std::move(messages));
   }
 
  private:
   std::string file_;
-  std::vector<std::pair<toml::source_position, std::string>> faults_;
+  std::multimap<toml::source_position, std::string> faults_;
 };
 
 // The text as toml++ 3.3 can bear it: nothing but ASCII (it mishandles some other characters), so they are faults
@@ -141,12 +140,11 @@ class TableReader {
   TableReader(const toml::table& table, std::string path, Faults& faults)
       : table_(table), path_(std::move(path)), faults_(faults) {}
 
-  void operator()(const char* key, auto& field, std::string_view unit, const Range& range) {
-    known_.emplace_back(key);
-    if (const toml::node* node = table_.get(key)) read({*node, path_of(key), unit, range}, field);
+  void operator()(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
+    if (const toml::node* node = find(key)) read({*node, path_of(key), unit, range}, field);
   }
 
-  void required(const char* key, auto& field, std::string_view unit, const Range& range) {
+  void required(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
     (*this)(key, field, unit, range);
     if (table_.contains(key)) return;
     faults_.add(table_.source().begin, path_of(key), "missing, but required" + in_brackets(unit));
@@ -154,8 +152,7 @@ class TableReader {
 
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<std::pair<const char*, Enum>> choices) {
-    known_.emplace_back(key);
-    const toml::node* node = table_.get(key);
+    const toml::node* node = find(key);
     if (!node) return;
     const auto word = node->value_exact<std::string>();
     std::vector<std::string> words;
@@ -174,6 +171,7 @@ class TableReader {
   }
 
  private:
+  const toml::node* find(const char* key) { return known_.emplace_back(key), table_.get(key); }
   std::string path_of(std::string_view key) const { return path_ + (path_.empty() ? "" : ".") + std::string(key); }
 
   void fault(const Entry& entry, const std::string& message) {

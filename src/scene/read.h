@@ -40,8 +40,7 @@ Scene read_scene(const std::filesystem::path& file);
 Scene parse_scene(std::string_view text, const std::string& name);
 
 // The scene as TOML, every key with its value (the shortest digits that read back the same), in the order of the
-// schema, without comments.
-// Reading it gives the same scene.
+// schema, without comments. Reading it gives the same scene.
 std::string canonical_text(const Scene& scene);
 
 // 64-bit FNV-1a of the canonical text: equal for scenes that say the same, however they are written.

@@ -40,8 +40,8 @@ class TableWriter {
   explicit TableWriter(std::string path) : path_(std::move(path)) {}
   std::string text() const { return values_ + tables_; }
 
-  void operator()(const char* key, auto& field, const char*, const Range&) { write(key, field); }
-  void required(const char* key, auto& field, const char*, const Range&) { write(key, field); }
+  void operator()(const char* key, auto& field, const auto&...) { write(key, field); }
+  void required(const char* key, auto& field, const auto&...) { write(key, field); }
 
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<std::pair<const char*, Enum>> choices) {

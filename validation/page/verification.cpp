@@ -137,6 +137,12 @@ std::string faults_part(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::size_t failed_checks(const Evidence& evidence) {
+  const ordered_json all = json_of(evidence.checks);
+  return static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [](const ordered_json& check) { return !check.at("good").get<bool>(); }));
+}
+
 std::string verification_section(const Evidence& evidence) {
   return element("h3", "Checks") + checks_part(evidence.checks) + element("h3", "Faults that they notice") +
          faults_part(evidence.faults);

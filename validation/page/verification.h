@@ -15,4 +15,7 @@ struct Evidence {
 // HTML. Throws std::runtime_error if a file is malformed.
 std::string verification_section(const Evidence& evidence);
 
+// 0 if there are no checks to read.
+std::size_t failed_checks(const Evidence& evidence);
+
 }  // namespace furrow
