@@ -95,7 +95,7 @@ class Workshop {
     if (sound.find(old_text, at + 1) != std::string::npos) return {"the text to change stands twice in " + file, {}};
     std::string faulty = sound;
     write(copy_ / file, faulty.replace(at, old_text.size(), new_text));
-    const Verdict verdict = build_and_run();
+    Verdict verdict = build_and_run();
     write(copy_ / file, sound);
     return verdict;
   }

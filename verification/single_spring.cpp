@@ -62,7 +62,7 @@ struct Error {
 constexpr Error errors[] = {
     {"pece", 2, 1.0 / 12, "the trapezoid rule's 1/12", 0.06},
     {"verlet", 2, 1.0 / 24, "1/24 from cos(theta) = 1 - q^2/2, with damping (1 + 12 zeta^2)/24", 0.01},
-    {"rk4", 4, 1.0 / 120, "1/120 of the fifth-order term left out", 0.015}};
+    {"rk4", 4, 1.0 / 120, "1/120 of the fifth-order term left out", 0.027}};
 
 // Verlet's velocity is predicted where the force needs it, which costs more the stronger the damping; the factor of
 // zeta^2 is measured, once.
@@ -99,7 +99,7 @@ TEST(SingleSpring, ConvergesWithTheOrderOfTheMethod) {
   for (const Error& e : errors) {
     for (const double zeta : {0.0, 0.5, 1.0}) {
       std::vector<double> lengths, off;
-      for (const int n : {200, 400, 800, 1600}) {
+      for (int n = e.order == 4 ? 100 : 200, last = 8 * n; n <= last; n *= 2) {  // rk4 soon meets round-off
         const State y = run_scene(spring_scene(zeta), e.method, end / n, end).y;
         lengths.push_back(end / n);
         off.push_back(std::hypot(position(y) - exact_position(zeta, end), velocity(y) - exact_velocity(zeta, end)));
