@@ -61,16 +61,16 @@ int main(int argc, char** argv) try {
   }
   const std::filesystem::path records = argv[1];
   const auto requirements = requirements_in(argv[2]);
-  std::vector<std::string> faults;
+  std::set<std::string> faults;  // each said once
   std::vector<ordered_json> checks;
   std::set<std::string> used;
   const auto tests = tests_in(argv[3]);
-  if (tests.empty()) faults.emplace_back("there are no verification tests");
+  if (tests.empty()) faults.insert("there are no verification tests");
   for (const std::string& test : tests) {
     std::ifstream stream(records / (test + ".jsonl"));
     const std::size_t before = checks.size();
     for (std::string line; std::getline(stream, line);) checks.push_back(ordered_json::parse(line));
-    if (checks.size() == before) faults.push_back(test + " left no record: it did not run, or crashed");
+    if (checks.size() == before) faults.insert(test + " left no record: it did not run, or crashed");
   }
   std::size_t failed = 0;
   for (ordered_json& check : checks) {
@@ -79,13 +79,13 @@ int main(int argc, char** argv) try {
     used.insert(id);
     const auto found = requirements.find(id);
     if (found == requirements.end()) {
-      faults.push_back(check["test"].get<std::string>() + ": no requirement " + id + " in verification/requirements");
+      faults.insert(check["test"].get<std::string>() + ": no requirement " + id + " in verification/requirements");
     } else {
       check["sentence"] = found->second;
     }
   }
   for (const auto& [id, sentence] : requirements) {
-    if (used.count(id) == 0) faults.push_back("requirement " + id + " has no check: " + sentence);
+    if (used.count(id) == 0) faults.insert("requirement " + id + " has no check: " + sentence);
   }
   std::stable_sort(checks.begin(), checks.end(), [](const ordered_json& a, const ordered_json& b) {
     return number(a["of_limit"]) > number(b["of_limit"]);
