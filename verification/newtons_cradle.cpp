@@ -1,0 +1,159 @@
+// A row of discs hands on momentum: pair by pair as bodies that bounce, all at once without loss; and a cluster of
+// discs that rub and roll on each other keeps its angular momentum.
+//
+//   pair, e = 1:   v1' = (m1 - m2)/(m1 + m2) v1,   v2' = 2 m1/(m1 + m2) v1; towards heavier discs no pair meets twice
+//   always:        sum of m v, and of x (x) m v + I omega: Newton's third law, and two arms that add up to the distance
+//   velocity Verlet keeps both to round-off: at each evaluation the forces, and their moments about the origin, add to
+//   zero
+//
+// Source: any textbook of mechanics; angular momentum with friction as in Spheral's DEM tests.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "system/observe.h"
+#include "verification/check.h"
+#include "verification/running.h"
+
+namespace furrow::verification {
+namespace {
+
+constexpr double density = 1000;  // kg/m^3
+constexpr double young = 1e7;     // Pa
+constexpr double poisson = 0.3;   // -
+constexpr double speed = 0.5;     // m/s
+
+double mass(double radius) { return density * std::numbers::pi * radius * radius; }  // kg, depth 1 m
+
+Scene space() {
+  Scene scene;
+  scene.model.gravity = 0;
+  scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = poisson});
+  return scene;
+}
+
+// Touching, or `gap` apart; the first one moves.
+Scene cradle(const std::vector<double>& radius, double gap) {
+  Scene scene = space();
+  double x = 0;
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    if (i > 0) x += radius[i - 1] + gap + radius[i];
+    scene.disc.push_back({{x, 0}, radius[i], {i == 0 ? speed : 0, 0}, 0, "any"});
+  }
+  return scene;
+}
+
+TEST(NewtonsCradle, HandsOnFromPairToPair) {
+  requirement("assembly.cradle");
+  const std::vector<double> radius{0.01, 0.012, 0.015, 0.02};
+  const Ran ran = run_scene(cradle(radius, 0.002), "rk4", 2e-6, 0.05);
+  double incoming = speed;
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    const bool last = i + 1 == radius.size();
+    const double m1 = mass(radius[i]);
+    const double m2 = last ? 0 : mass(radius[i + 1]);
+    expect("velocity of disc " + std::to_string(i) + " [m/s]", ran.y[ran.system.vx_of(static_cast<int>(i))],
+           last ? incoming : (m1 - m2) / (m1 + m2) * incoming,
+           absolute(5e-11, "truncation: 2.2e-11 measured, doubled"));
+    incoming *= 2 * m1 / (m1 + m2);
+  }
+}
+
+TEST(NewtonsCradle, KeepsMomentumAndEnergy) {
+  requirement("assembly.cradle");
+  const std::vector<double> radius(5, 0.01);
+  const double momentum = mass(0.01) * speed;
+  const double energy = 0.5 * momentum * speed;
+  const Scene scene = cradle(radius, 0);
+  const System system(scene);
+  struct Row {
+    const char* method;
+    double tolerance;
+    std::string reason;
+  };
+  for (const Row& row : {Row{"verlet", 4.5e-7, "order 2: 2.2e-7 measured at h = 5e-6 s, doubled"},
+                         Row{"pece", 8e-7, "order 2: 3.9e-7 measured at h = 5e-6 s, doubled"},
+                         Row{"rk4", 7e-10, "order 5/2 at touch: 3.3e-10 measured at h = 5e-6 s, doubled"}}) {
+    double worst_momentum = 0;
+    double worst_energy = 0;
+    run_scene(scene, row.method, 5e-6, 0.01, [&](double t, const State& y, const JumpReport&) {
+      const Observation seen = observe(system, t, y);
+      worst_momentum = std::max(worst_momentum, std::fabs(seen.momentum.x / momentum - 1));
+      worst_energy = std::max(worst_energy, std::fabs(seen.energy.stored() / energy - 1));
+      return true;
+    });
+    expect(std::string("greatest error of momentum, ") + row.method, worst_momentum, 0,
+           absolute(6e-15, "round-off: 2000 steps add up to 11 ulp"));
+    expect(std::string("greatest error of energy, ") + row.method, worst_energy, 0,
+           absolute(row.tolerance, row.reason));
+  }
+}
+
+// Seven unequal discs fly together, with friction, rolling friction and damping.
+Scene cluster(DiscMass reading) {
+  Scene scene = space();
+  scene.model.disc_mass = reading;
+  scene.contact = {.damping_factor = 0.3, .friction = 0.4, .rolling_friction = 0.1};
+  scene.material[0].young = 1e5;
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 0.9 * i;
+    const double away = i == 0 ? 0 : 0.03;
+    const double inward = i == 0 ? 0 : -0.3 - 0.05 * i;
+    scene.disc.push_back({{0.2 + away * std::cos(angle), 0.1 + away * std::sin(angle)},
+                          0.009 + 0.001 * i,
+                          {inward * std::cos(angle) - 0.1 * std::sin(angle), inward * std::sin(angle) + 0.1},
+                          20.0 - 7 * i,
+                          "any"});
+  }
+  return scene;
+}
+
+TEST(NewtonsCradle, ClusterKeepsItsAngularMomentum) {
+  requirement("assembly.angular_momentum");
+  for (const DiscMass reading : {DiscMass::disc, DiscMass::sphere}) {
+    const Scene scene = cluster(reading);
+    const System system(scene);
+    double start[3] = {};
+    double scale = 0;
+    double worst[3] = {};
+    int most = 0;
+    run_scene(scene, "verlet", 1e-5, 0.2, [&](double t, const State& y, const JumpReport&) {
+      const Observation seen = observe(system, t, y);
+      most = std::max(most, seen.contacts);
+      double now[3] = {};
+      double magnitude = 0;
+      for (std::size_t i = 0; i < scene.disc.size(); ++i) {
+        const int k = static_cast<int>(i);
+        const double r = scene.disc[i].radius;
+        const bool flat = reading == DiscMass::disc;
+        const double m = mass(r) * (flat ? 1 : 4 * r / 3);
+        const double px = m * y[system.vx_of(k)];
+        const double py = m * y[system.vy_of(k)];
+        now[0] += px;
+        now[1] += py;
+        now[2] +=
+            y[system.x_of(k)] * py - y[system.y_of(k)] * px + (flat ? 0.5 : 0.4) * m * r * r * y[system.spin_of(k)];
+        magnitude += m * 0.3;
+      }
+      if (t == 0) {
+        std::copy(now, now + 3, start);
+        scale = magnitude;  // N s
+      }
+      for (int c = 0; c < 3; ++c)
+        worst[c] = std::max(worst[c], std::fabs(now[c] - start[c]) / (scale * (c < 2 ? 1 : 0.2)));
+      return true;
+    });
+    const std::string which = reading == DiscMass::disc ? ", discs" : ", spheres";
+    const Tolerance rounded = absolute(6e-15, "round-off: 20000 steps, 3e-15 measured, doubled");
+    const Tolerance turned =
+        absolute(5e-13, "round-off: as above, times R/ulp of an overlap; 2.2e-13 measured, doubled");
+    expect("greatest change of momentum along x" + which, worst[0], 0, rounded);
+    expect("greatest change of momentum along y" + which, worst[1], 0, rounded);
+    expect("greatest change of angular momentum" + which, worst[2], 0, turned);
+    expect_true("more than two pairs touch at once" + which, most > 2, "else there is nothing to keep");
+  }
+}
+
+}  // namespace
+}  // namespace furrow::verification

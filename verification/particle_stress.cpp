@@ -1,0 +1,157 @@
+// The stress of a disc under loads that are known by hand.
+//
+//   sigma = (1/V) sum over contacts of b (x) F, symmetric part;  b from the centre to the contact, F on the disc
+//   von Mises in the plane: sqrt(sxx^2 - sxx syy + syy^2 + 3 sxy^2)
+//   pressed by F on two opposite sides:   sxx = -2 b F/V, nothing else;      von Mises 2 b F/V
+//   pressed by F on all four sides:       sxx = syy = -2 b F/V, sxy = 0;     von Mises 2 b F/V
+//   spinning between two walls, sliding:  syy = -2 b F/V, sxy = mu b F/V (the other half of 2 mu b F turns the disc)
+//   spinning between four walls:          sxy = 0: a pure torque has no symmetric part
+//   four springs of force T, pure shear:  sxy = 2 b T/V;                     von Mises sqrt((2 b F)^2 + 3 (2 b T)^2)/V
+//
+// Source: statics, by hand; the formula as in Rojek, Karlis, Malinowski and Beer 2013. F = 4/3 E* sqrt(R) d^(3/2) at an
+// overlap of d; b = R - d, or R with `lever = "radius"`.
+#include <algorithm>
+
+#include "system/observe.h"
+#include "verification/impact.h"
+
+namespace furrow::verification {
+namespace {
+
+constexpr double radius = 0.02;   // m
+constexpr double overlap = 1e-3;  // m
+constexpr double friction = 0.4;
+constexpr Matter soil{"soil", 2e5, 0.25, 1000};
+constexpr double pi = 3.14159265358979323846;
+
+// Walls, rigid, at the sides asked for; normals point to the disc at the origin.
+enum Side { left, right, below, above };
+constexpr std::array<Vec2, 4> inwards{Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+Scene boxed(const std::vector<Side>& sides, DiscMass reading = DiscMass::disc) {
+  Scene scene = impact_scene(reading);
+  add_disc(scene, soil, radius, {0, 0}, {0, 0});
+  scene.material.push_back({.name = "rigid", .rigid = true});
+  for (const Side side : sides) {
+    const Vec2 n = inwards[side];
+    const double at = radius - overlap;
+    scene.wall.push_back({.point = {-at * n.x, -at * n.y}, .normal = n, .material = "rigid"});
+  }
+  return scene;
+}
+
+const double force = hertz_stiffness(softness(soil), radius) * std::pow(overlap, 1.5);  // N
+constexpr double arm = radius - overlap;                                                // m
+constexpr double disc_volume = pi * radius * radius;                                    // m^3, 1 m deep
+
+Stress stress_of(const Scene& scene) {
+  const System system(scene);
+  return disc_stresses(system, 0, system.initial_state())[0];
+}
+
+// Pa; want over `scale`, which is 2 b F / V where nothing else is said.
+void expect_stress(const std::string& what, const Stress& got, double xx, double yy, double xy) {
+  const double scale = std::max({std::fabs(xx), std::fabs(yy), std::fabs(xy)});
+  const auto round_off = absolute(1e-14 * scale, "round-off: R - 0.95 R costs a digit of the overlap, then products");
+  expect(what + ": sxx [Pa]", got(0, 0), xx, round_off);
+  expect(what + ": syy [Pa]", got(1, 1), yy, round_off);
+  expect(what + ": sxy [Pa]", got(0, 1), xy, round_off);
+  expect(what + ": syx [Pa]", got(1, 0), xy, round_off);
+  expect(what + ": von Mises [Pa]", von_mises(got), std::sqrt(xx * xx - xx * yy + yy * yy + 3 * xy * xy), round_off);
+}
+
+TEST(ParticleStress, PressedBetweenTwoWalls) {
+  requirement("stress.normal");
+  const double pressure = 2 * arm * force / disc_volume;
+  expect_stress("left and right", stress_of(boxed({left, right})), -pressure, 0, 0);
+  expect_stress("below and above", stress_of(boxed({below, above})), 0, -pressure, 0);
+  Scene leaning = boxed({});
+  for (const double sign : {1.0, -1.0}) {
+    leaning.wall.push_back(
+        {.point = {-sign * 0.6 * arm, -sign * 0.8 * arm}, .normal = {sign * 0.6, sign * 0.8}, .material = "rigid"});
+  }
+  expect_stress("along (0.6, 0.8)", stress_of(leaning), -0.36 * pressure, -0.64 * pressure, -0.48 * pressure);
+}
+
+TEST(ParticleStress, PressedFromAllSides) {
+  requirement("stress.normal");
+  const double pressure = 2 * arm * force / disc_volume;
+  expect_stress("four walls", stress_of(boxed({left, right, below, above})), -pressure, -pressure, 0);
+}
+
+// A smaller disc pressed against a larger one, each held by a wall behind it: every contact has its own arm.
+TEST(ParticleStress, TwoDiscsInARow) {
+  requirement("stress.normal");
+  constexpr double small = 0.01;    // m
+  constexpr double between = 5e-4;  // m, overlap of the two
+  Scene scene = boxed({left});
+  add_disc(scene, {"soft", 1e5, 0.3, 1000}, small, {radius + small - between, 0}, {0, 0});
+  scene.wall.push_back(
+      {.point = {radius + 2 * small - between - overlap / 2, 0}, .normal = {-1, 0}, .material = "rigid"});
+  const Matter soft{"soft", 1e5, 0.3, 1000};
+  const double middle =
+      hertz_stiffness(softness(soil) + softness(soft), 1 / (1 / radius + 1 / small)) * std::pow(between, 1.5);
+  const double outer = hertz_stiffness(softness(soft), small) * std::pow(overlap / 2, 1.5);
+  const System system(scene);
+  const auto got = disc_stresses(system, 0, system.initial_state());
+  expect_stress("larger disc", got[0], -(arm * force + (radius - between / 2) * middle) / disc_volume, 0, 0);
+  expect_stress("smaller disc", got[1],
+                -((small - overlap / 2) * outer + (small - between / 2) * middle) / (pi * small * small), 0, 0);
+}
+
+TEST(ParticleStress, VolumeAndArmAreThoseOfTheReading) {
+  requirement("stress.volume");
+  const double sphere = 2 * arm * force / (4.0 / 3.0 * pi * radius * radius * radius);
+  expect_stress("sphere", stress_of(boxed({left, right}, DiscMass::sphere)), -sphere, 0, 0);
+  Scene deep = boxed({left, right});
+  deep.model.disc_depth = 0.25;
+  expect_stress("disc 0.25 m deep", stress_of(deep), -8 * arm * force / disc_volume, 0, 0);
+  Scene whole = boxed({left, right});
+  whole.model.lever = Lever::radius;
+  expect_stress("whole radius as arm", stress_of(whole), -2 * radius * force / disc_volume, 0, 0);
+}
+
+// Sliding fast, so that every contact is at the Coulomb limit mu F.
+Stress sliding(const std::vector<Side>& sides, double spin, double speed) {
+  Scene scene = boxed(sides);
+  scene.contact.friction = friction;
+  scene.contact.damping_factor = 0.5;
+  scene.disc[0].spin = spin;
+  scene.disc[0].velocity.x = speed;
+  return stress_of(scene);
+}
+
+TEST(ParticleStress, FrictionAddsItsSymmetricShear) {
+  requirement("stress.friction");
+  const double pressure = 2 * arm * force / disc_volume;
+  expect_stress("spinning between two walls", sliding({below, above}, 1e4, 0), 0, -pressure, friction * pressure / 2);
+  expect_stress("spinning the other way", sliding({below, above}, -1e4, 0), 0, -pressure, -friction * pressure / 2);
+  expect_stress("sliding along two walls", sliding({below, above}, 0, 100), 0, -pressure, 0);
+  expect_stress("spinning between four walls", sliding({left, right, below, above}, 1e4, 0), -pressure, -pressure, 0);
+}
+
+// Tangential springs that are stretched by hand: they push left at the bottom, right at the top, up at the right and
+// down at the left.
+TEST(ParticleStress, PureShear) {
+  requirement("stress.friction");
+  Scene scene = boxed({left, right, below, above});
+  scene.contact.friction = friction;
+  System system(scene);
+  State y = system.initial_state();
+  system.jump(0, y);  // gives the contacts their springs
+  // G*: 1/G* = (2 - nu)/G = 2 (2 - nu)(1 + nu)/E for a rigid partner.
+  const double shear_modulus = soil.young / (2 * (2 - soil.poisson) * (1 + soil.poisson));
+  const double stiffness = 8 * shear_modulus * std::sqrt(radius * overlap);
+  const double stretch = 0.2 * friction * force / stiffness;  // m, far from the limit
+  const auto& walls = system.search().candidates[disc_wall];
+  for (int k = 0; k < walls.count(); ++k) {
+    const bool upright = walls.b[k] == left || walls.b[k] == right;
+    y[system.first_spring() + walls.slot[k]] = upright ? -stretch : stretch;
+  }
+  const double pressure = 2 * arm * force / disc_volume;
+  const double shear = 2 * arm * stiffness * stretch / disc_volume;
+  expect_stress("four springs", disc_stresses(system, 0, y)[0], -pressure, -pressure, shear);
+}
+
+}  // namespace
+}  // namespace furrow::verification

@@ -1,0 +1,151 @@
+// The rolling moment alone: a disc that spins in place, one that rolls on a plane or creeps on a slope, two that meet.
+//
+//   M = -mu_r R_r N s(w),  s = w / sqrt(w^2 + w0^2),  w = omega_i - omega_j,  R_r = R on a wall, else R_i R_j/(R_i +
+//   R_j) in place (mu = 0, nothing moves the centre):  c R omega' = -mu_r g s:
+//     f(omega) = sqrt(omega^2 + w0^2) - w0 asinh(w0 / omega) falls as f0 - mu_r g t / (c R)
+//   rolling, the arm of friction a:  u' = -mu_r g (R/a) / (1 + c (R/a)^2);  a = R: mu_r g 2/3 (disc), 5/7 (sphere)
+//   on a slope below mu_r: no rest but w with s(w) = tan theta / mu_r, w = w0 tan theta / sqrt(mu_r^2 - tan^2 theta)
+//   head-on with spins: I_i (omega_i' - omega_i) = -+ mu_r R_r m* (1 + e) v, if w stays far above w0
+//
+// Sources: algebra; in place LAMMPS, granular tests, rolling_decay.
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "system/observe.h"
+#include "verification/check.h"
+#include "verification/running.h"
+
+namespace furrow::verification {
+namespace {
+
+constexpr double radius = 0.01;   // m
+constexpr double density = 1000;  // kg/m^3
+constexpr double young = 1e8;     // Pa
+constexpr double soft = 4e6;      // Pa
+constexpr double poisson = 0.3;   // -
+constexpr double gravity = 9.81;  // m/s^2
+constexpr double rolling = 0.1;   // -, mu_r
+
+struct Body {
+  std::string name;
+  DiscMass reading;
+  double c;     // I / (m R^2)
+  double mass;  // kg
+};
+const Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius};
+const Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+
+// m, of a disc that presses with `force` on a wall of its own material.
+double overlap(double force, double modulus_of_young) {
+  const double modulus = modulus_of_young / (2 * (1 - poisson * poisson));
+  return std::cbrt(std::pow(force / (4.0 / 3 * modulus * std::sqrt(radius)), 2));
+}
+
+// On a floor that falls to the left.
+Scene on_floor(const Body& body, double friction, double e_modulus, double rise, double speed, double spin) {
+  Scene scene;
+  const double level = std::sqrt(1 - rise * rise);
+  scene.model = {.gravity = gravity, .disc_mass = body.reading, .lever = Lever::radius};
+  scene.contact = {.damping_factor = 1, .friction = friction, .rolling_friction = rolling};
+  scene.material.push_back({.name = "any", .density = density, .young = e_modulus, .poisson = poisson});
+  scene.wall.push_back({"floor", {0, 0}, {-rise, level}, "any"});
+  const double height = radius - overlap(body.mass * gravity * level, e_modulus);
+  scene.disc.push_back({{-height * rise, height * level}, radius, {speed, 0}, spin, "any"});
+  return scene;
+}
+
+double falling(double omega, double w0) {
+  return std::sqrt(omega * omega + w0 * w0) - w0 * std::asinh(w0 / std::fabs(omega));
+}
+
+TEST(RollingResistance, SpinInPlaceDecays) {
+  requirement("tangential.rolling_decay");
+  for (const Body& body : {disc, sphere}) {
+    for (const double w0 : {1e-5, 1.0, 20.0}) {
+      for (const double spin : {20.0, -20.0}) {
+        Scene scene = on_floor(body, 0, young, 0, 0, spin);
+        scene.model.rolling_smoothing = w0;
+        const double end = 0.5 * falling(spin, w0) * body.c * radius / (rolling * gravity);
+        const Ran ran = run_scene(scene, "rk4", end / 200, end);
+        const double got = ran.y[ran.system.spin_of(0)];
+        const std::string which =
+            ", " + body.name + ", w0 " + std::to_string(w0).substr(0, 7) + (spin > 0 ? ", left" : ", right");
+        expect("f(omega) / f0" + which, falling(got, w0) / falling(spin, w0), 0.5,
+               relative(2e-13, "round-off over 200 steps; truncation is below it"));
+        expect_true("it does not turn round" + which, got * spin > 0, "the moment opposes the spin");
+        expect("lost to rolling / energy lost" + which,
+               observe(ran.system, ran.end.time, ran.y).energy.rolling /
+                   (0.5 * body.c * body.mass * radius * radius * (spin * spin - got * got)),
+               1, relative(2e-13, "round-off over 200 steps; truncation is below it"));
+      }
+    }
+  }
+}
+
+TEST(RollingResistance, WheelSlowsMoreGentlyThanASpinInPlace) {
+  requirement("tangential.rolling_decay");
+  for (const Body& body : {disc, sphere}) {
+    for (const Lever lever : {Lever::radius, Lever::overlap}) {
+      const double sinking = lever == Lever::overlap ? overlap(body.mass * gravity, soft) : 0;
+      const double arm = radius - sinking;
+      Scene scene = on_floor(body, 1, lever == Lever::overlap ? soft : young, 0, 1, -1 / arm);
+      scene.model.lever = lever;
+      scene.model.rolling_smoothing = 1e-3;
+      const System system(scene);
+      double early = 0;
+      const Ran ran = run_scene(scene, "rk4", 2e-5, 0.4, [&](double t, const State& y, const JumpReport&) {
+        if (t < 0.2 + 1e-9) early = y[system.vx_of(0)];
+        return true;
+      });
+      expect("u' [m/s^2], " + body.name + (lever == Lever::overlap ? ", arm R - d" : ", arm R"),
+             (ran.y[ran.system.vx_of(0)] - early) / 0.2,
+             -rolling * gravity * (radius / arm) / (1 + body.c * radius * radius / (arm * arm)),
+             relative(2e-10, "smoothing takes (w0/w)^2/2 off the moment: 9e-11 at 74 rad/s, doubled"));
+    }
+  }
+}
+
+TEST(RollingResistance, SmoothedMomentLetsItCreepOnASlope) {
+  requirement("tangential.rolling_creep");
+  constexpr double rise = 0.06;
+  const double slope = rise / std::sqrt(1 - rise * rise);
+  for (const Body& body : {disc, sphere}) {
+    for (const double w0 : {0.03, 0.3}) {
+      Scene scene = on_floor(body, 1, young, rise, 0, 0);
+      scene.model.rolling_smoothing = w0;
+      const Ran ran = run_scene(scene, "rk4", 2e-5, 0.5);
+      expect("omega [rad/s], " + body.name + ", w0 " + std::to_string(w0).substr(0, 4), ran.y[ran.system.spin_of(0)],
+             w0 * slope / std::sqrt(rolling * rolling - slope * slope),
+             relative(1e-12, "round-off; what was to decay has, to e^-30"));
+    }
+  }
+}
+
+TEST(RollingResistance, TwoThatMeetBrakeEachOther) {
+  requirement("tangential.rolling_pair");
+  // No friction, no damping: e = 1. The second one is larger, at rest but for its spin, and turns faster the same way.
+  constexpr double other = 0.03;   // m
+  constexpr double closing = 0.1;  // m/s
+  for (const Body& body : {disc, sphere}) {
+    Scene scene = on_floor(body, 0, young, 0, 0, 0);
+    scene.wall.clear();
+    scene.model.gravity = 0;
+    scene.model.rolling_smoothing = 1e-5;
+    scene.contact.damping_factor = 0;
+    scene.disc = {{{0, 0}, radius, {closing, 0}, 30, "any"}, {{radius + other, 0}, other, {0, 0}, 40, "any"}};
+    const double mass2 = body.mass * (body.reading == DiscMass::disc ? 9 : 27);
+    const double impulse = 2 * closing * body.mass * mass2 / (body.mass + mass2);
+    const double angular = rolling * radius * other / (radius + other) * impulse;  // N m s
+    const Ran ran = run_scene(scene, "rk4", 1e-6, 0.01);
+    expect("first spin [rad/s], " + body.name, ran.y[ran.system.spin_of(0)],
+           30 + angular / (body.c * body.mass * radius * radius),
+           relative(3e-10, "truncation of order 5/2: 1.4e-10 measured, doubled"));
+    expect("second spin [rad/s], " + body.name, ran.y[ran.system.spin_of(1)],
+           40 - angular / (body.c * mass2 * other * other),
+           relative(3e-10, "truncation of order 5/2: 1.4e-10 measured, doubled"));
+  }
+}
+
+}  // namespace
+}  // namespace furrow::verification

@@ -1,0 +1,201 @@
+// A disc that sticks where it touches: the exact tangential restitution of Mindlin's spring.
+//
+//   Hertz d'' = -K/m d^(3/2) and xi'' = -kappa/m St(d) xi have a common time; in d/d_max the second is hypergeometric,
+//   and e_t = vt'/vt = cos(pi sqrt(1/100 + 24/5 (G*/E*) kappa)) / cos(pi/10),   kappa = 1 + 1/c,   I = c m R^2 one
+//   material: G*/E* = (1 - nu) / (2 (2 - nu))        c = 1/2: e_t = 1 at nu = 0        c = 2/5: e_t = 1 at nu = 1/4 m
+//   vx' = m vx - (1 - e_t) vt m/kappa      I omega' = I omega - (1 - e_t) vt R m/kappa
+// e_t > 1 gains energy: St follows the overlap, so an unloading contact stiffens or weakens a stretched spring for
+// free.
+//
+// Source: solved here; a special case of Maw, Barber and Fawcett 1976 (Wear 38, 101) with all of the contact sticking.
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "system/observe.h"
+#include "verification/check.h"
+#include "verification/oblique_oracle.h"
+#include "verification/running.h"
+
+namespace furrow::verification {
+namespace {
+
+constexpr double radius = 0.01;    // m
+constexpr double density = 1000;   // kg/m^3
+constexpr double young = 2e5;      // Pa
+constexpr double closing = 0.1;    // m/s
+constexpr double sideways = 0.05;  // m/s, vx
+constexpr double spin = 3;         // rad/s
+constexpr double slip = sideways + spin * radius;
+
+struct Body {
+  const char* name;
+  DiscMass reading;
+  double c;     // I / (m R^2)
+  double mass;  // kg
+};
+constexpr Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius * 1};
+constexpr Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+
+double restitution(double ratio, double c) {
+  return std::cos(std::numbers::pi * std::sqrt(0.01 + 4.8 * ratio * (1 + 1 / c))) / std::cos(std::numbers::pi / 10);
+}
+double shear_ratio(double nu) { return (1 - nu) / (2 * (2 - nu)); }
+
+// s: Hertz's contact time, 2.943275 d_max / v with d_max = (5 m v^2 / (4 K))^(2/5).
+double contact_time(double mass, double reduced_radius, double modulus, double v) {
+  return 2.943275184324047 * std::pow(15 * mass * v * v / (16 * modulus * std::sqrt(reduced_radius)), 0.4) / v;
+}
+
+Scene impact(const Body& body, double nu, double height) {
+  Scene scene;
+  scene.model = {.gravity = 0, .disc_mass = body.reading, .lever = Lever::radius};
+  scene.contact.friction = 1e12;
+  scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = nu});
+  scene.disc.push_back({{0, height}, radius, {sideways, -closing}, spin, "any"});
+  scene.wall.push_back({"floor", {0, 0}, {0, 1}, "any"});
+  return scene;
+}
+
+// From an overlap of 1e-13 R, so that the spring follows the slip from the first stage of the first step. The contact
+// parts at 0.7 of a step: on a step's end or middle the ledger would meet 1/sqrt(d) at d = 0. `gap` in steps.
+Ran run_impact(const Body& body, double nu, int steps, double gap = 0) {
+  const double time = contact_time(body.mass, radius, young / (2 * (1 - nu * nu)), closing);
+  const double step = time / (steps + 0.7);
+  const double height = gap > 0 ? radius + gap * closing * step : radius * (1 - 1e-13);
+  return run_scene(impact(body, nu, height), "rk4", step, 1.05 * time);
+}
+
+std::string which(const Body& body, double nu) {
+  return std::string(", ") + body.name + ", nu " + std::to_string(nu).substr(0, 5);
+}
+
+TEST(StickingImpact, ClosedFormAgreesWithALongDoubleIntegration) {
+  requirement("tangential.sticking");
+  for (const Body& body : {disc, sphere}) {
+    for (const double nu : {-0.5, 0.0, 0.25, 0.3, 0.5}) {
+      const double modulus = young / (2 * (1 - nu * nu));
+      const ObliqueOutcome out = oblique_outcome(
+          {modulus, modulus * shear_ratio(nu), radius, body.mass, 1 + 1 / body.c, 0, HUGE_VALL, closing, slip}, 4000);
+      expect(
+          "e_t by integration" + which(body, nu), out.slip / slip, restitution(shear_ratio(nu), body.c),
+          absolute(2e-11, "truncation at 4000 steps, 7e-12 measured; its fourth order ends at u^(1/5) of round-off"));
+    }
+  }
+  expect("e_t, disc, nu 0", restitution(shear_ratio(0), disc.c), 1, absolute(1e-14, "round-off of a cosine"));
+  expect("e_t, sphere, nu 1/4", restitution(shear_ratio(0.25), sphere.c), 1, absolute(1e-14, "round-off of a cosine"));
+}
+
+TEST(StickingImpact, ContactPointReturnsWithTheExactRestitution) {
+  requirement("tangential.sticking");
+  constexpr int steps = 16000;  // a contact
+  const Tolerance truncation = absolute(
+      1.2 * std::pow(steps, -1.5),
+      "truncation: the force leaves as sqrt(d), so order 3/2; 0.6 n^(-3/2) measured at n = 1000 to 16000, doubled");
+  for (const Body& body : {disc, sphere}) {
+    for (const double nu : {-0.5, 0.0, 0.25, 0.3, 0.5}) {
+      const Ran ran = run_impact(body, nu, steps);
+      const double vx = ran.y[ran.system.vx_of(0)];
+      const double omega = ran.y[ran.system.spin_of(0)];
+      const double e_t = restitution(shear_ratio(nu), body.c);
+      const double lost = (1 - e_t) * slip / (1 + 1 / body.c);  // m/s, impulse over mass
+      expect("e_t" + which(body, nu), (vx + radius * omega) / slip, e_t, truncation);
+      expect("gain of vx / slip" + which(body, nu), (vx - sideways) / slip, -lost / slip, truncation);
+      expect("gain of spin R / slip" + which(body, nu), (omega - spin) * radius / slip, -lost / (body.c * slip),
+             truncation);
+    }
+  }
+}
+
+TEST(StickingImpact, TwoUnequalDiscsReturnWithTheSameRestitution) {
+  requirement("tangential.sticking");
+  // kappa / m = sum of 1/m + R^2/I whatever the two masses; closing along x, the second one at rest. The line of
+  // centres must not turn: the stiffness is that of an almost rigid body.
+  constexpr int steps = 16000;
+  constexpr double nu = 0.3;
+  constexpr double stiff = 2e17;  // Pa
+  constexpr double other = 0.02;  // m
+  const double mass2 = disc.mass * 4;
+  const double reduced = disc.mass * mass2 / (disc.mass + mass2);
+  const double time = contact_time(reduced, radius * other / (radius + other), stiff / (2 * (1 - nu * nu)), closing);
+  Scene scene = impact(disc, nu, 0);
+  scene.material[0].young = stiff;
+  scene.wall.clear();
+  scene.disc = {{{0, 0}, radius, {closing, sideways}, spin, "any"},
+                {{(radius + other) * (1 - 1e-15), 0}, other, {0, 0}, -1, "any"}};
+  const Ran ran = run_scene(scene, "rk4", time / (steps + 0.7), 1.05 * time);
+  const double start = sideways + spin * radius - 1 * other;
+  const double lost = (1 - restitution(shear_ratio(nu), disc.c)) * start / (1 + 1 / disc.c) * reduced;  // N s
+  const double turn = closing * time / (radius + other);  // rad, at most, if the slip is not faster than the approach
+  const Tolerance turning =
+      absolute(2 * closing * turn, "the line of centres turns by up to v t / (R1 + R2); both ways");
+  const auto& at = ran.system;
+  expect("first disc, vy [m/s]", ran.y[at.vy_of(0)], sideways - lost / disc.mass, turning);
+  expect("second disc, vy [m/s]", ran.y[at.vy_of(1)], lost / mass2, turning);
+  expect("first disc, spin R [m/s]", ran.y[at.spin_of(0)] * radius, spin * radius - 2 * lost / disc.mass, turning);
+  expect("second disc, spin R [m/s]", ran.y[at.spin_of(1)] * other, -other - 2 * lost / mass2, turning);
+}
+
+TEST(StickingImpact, TouchInsideAStepCostsTheFirstOrder) {
+  requirement("tangential.sticking");
+  // The slip enters the spring from the first stage that touches: the spring is short by up to a step of slip.
+  constexpr int steps = 4000;
+  for (const double gap : {0.2, 0.5, 0.9}) {
+    const Ran ran = run_impact(disc, 0.3, steps, gap);
+    expect("e_t, touch at " + std::to_string(gap).substr(0, 3) + " of a step",
+           (ran.y[ran.system.vx_of(0)] + radius * ran.y[ran.system.spin_of(0)]) / slip,
+           restitution(shear_ratio(0.3), disc.c),
+           absolute(2.8 / steps, "truncation: xi' jumps from 0 to vt at touch, so order 1; 1.4/n measured, doubled"));
+  }
+}
+
+TEST(StickingImpact, EveryImpactBeginsWithARelaxedSpring) {
+  requirement("tangential.sticking");
+  // Floor, lid, floor: the slip is vx + omega R below and vx - omega R above; each impact sees its own one only.
+  constexpr int steps = 4000;
+  constexpr double nu = 0.5;  // e_t = 0.17: the spring is still stretched when the contact parts
+  const double time = contact_time(disc.mass, radius, young / (2 * (1 - nu * nu)), closing);
+  constexpr double room = 0.005;  // m
+  Scene scene = impact(disc, nu, radius + room / 2);
+  scene.wall.push_back({"lid", {0, 2 * radius + room}, {0, -1}, "any"});
+  const Ran ran = run_scene(scene, "rk4", time / (steps + 0.7), 3 * time + 3 * room / closing);
+  double vx = sideways;
+  double surface = spin * radius;
+  for (const double side : {1.0, -1.0, 1.0}) {
+    const double lost = (1 - restitution(shear_ratio(nu), disc.c)) * (vx + side * surface) / (1 + 1 / disc.c);
+    vx -= lost;
+    surface -= side * lost / disc.c;
+  }
+  const Tolerance truncation = absolute(2.8 / steps * slip, "truncation: touches inside a step, as above");
+  expect("vx [m/s]", ran.y[ran.system.vx_of(0)], vx, truncation);
+  expect("spin R [m/s]", ran.y[ran.system.spin_of(0)] * radius, surface, truncation);
+}
+
+TEST(StickingImpact, GainOfEnergyIsBookedAsStiffening) {
+  requirement("tangential.stiffening");
+  // All of it in units of 1/2 m/kappa vt^2. A sphere at nu = 0 and a disc of the paper's nu = -1/2 gain.
+  for (const Body& body : {disc, sphere}) {
+    for (const double nu : {-0.5, 0.0, 0.5}) {
+      const double e_t = restitution(shear_ratio(nu), body.c);
+      const double scale = 0.5 * body.mass / (1 + 1 / body.c) * slip * slip;
+      const double start =
+          0.5 * body.mass * (sideways * sideways + closing * closing + body.c * radius * radius * spin * spin);
+      Energies end[2];
+      for (const int k : {0, 1}) {
+        const Ran ran = run_impact(body, nu, k == 0 ? 4000 : 16000);
+        end[k] = observe(ran.system, ran.end.time, ran.y).energy;
+      }
+      expect("gain of energy" + which(body, nu), (end[1].kinetic - start) / scale, e_t * e_t - 1,
+             absolute(2.4 * std::pow(16000, -1.5), "truncation of order 3/2 of e_t, as above, twice as much in e_t^2"));
+      expect(
+          "stiffening" + which(body, nu), (2 * end[1].stiffening - end[0].stiffening) / scale, e_t * e_t - 1,
+          absolute(4e-6,
+                   "the ledger leaves as 1/sqrt(d): order 1/2, extrapolated from steps h and h/4: 2e-6 left, doubled"));
+      expect("lost to friction and viscosity" + which(body, nu), end[1].lost() / scale, 0,
+             exact("no slip and no damping"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace furrow::verification
