@@ -35,7 +35,7 @@ std::string text(const ordered_json& entry, const char* key) { return escaped(en
 std::string check_row(const ordered_json& check) {
   return element(
       "tr",
-      element("td", text(check, "test") + "<small>" + text(check, "name") + "</small>") +
+      element("td", text(check, "name") + "<small>" + text(check, "test") + "</small>") +
           element("td", shown(number(check["want"])), "number") + element("td", shown(number(check["got"])), "number") +
           element("td", shown(number(check["error"])), "number") +
           element("td", shown(number(check["tolerance"])) + "<small>" + text(check, "kind") + "</small>", "number") +
