@@ -209,7 +209,9 @@ void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
     const double stick = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
     work[stick == c.tangential[k] ? contact_viscous : friction_work] += lost;
     work[rolling_work] -= c.moment[k] * (c.spin_a[k] - c.spin_b[k]);
-    work[stiffening] += 0.25 * c.spring[k] * c.spring[k] * c.shear_stiffness[k] * c.approach[k] / c.overlap[k];
+    if (c.overlap[k] > 0) {  // two discs exactly at touch have none
+      work[stiffening] += 0.25 * c.spring[k] * c.spring[k] * c.shear_stiffness[k] * c.approach[k] / c.overlap[k];
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenes.h"
 #include "system/observe.h"
@@ -115,6 +116,16 @@ TEST(EnergyLedger, BooksTheContactThatATearTakesAway) {
   const Energies before = observe(system, 0, y).energy;
   ASSERT_EQ(system.jump(0, y).torn.size(), 1u);
   EXPECT_NEAR(observe(system, 0, y).energy.residual(before), 0, 1e-12 * before.contact_elastic);
+}
+
+// Found by these two positions: their distance rounds to the sum of the radii, its square to less.
+TEST(EnergyLedger, IsFiniteForDiscsThatJustTouch) {
+  Scene scene = empty_scene();
+  scene.contact.friction = 0.5;
+  scene.disc = {disc({0, 0}, 0.01), disc({0.020999896369255748, 6.5973331878111446e-05}, 0.011)};
+  const System system(scene);
+  const State y = system.initial_state();
+  for (const double rate : rates(system, 0, y)) EXPECT_TRUE(std::isfinite(rate));
 }
 
 // A cluster without walls: discs with friction that collide with each other and with a free lattice.
