@@ -73,7 +73,9 @@ struct Verdict {
 // One copy of the tree with one build directory, in which changes are tried one after the other.
 class Workshop {
  public:
-  Workshop(const fs::path& tree, const fs::path& place) : tree_(tree), copy_(place / "tree"), build_(place / "build") {
+  // `jobs` compilers at a time.
+  Workshop(const fs::path& tree, const fs::path& place, unsigned jobs)
+      : tree_(tree), copy_(place / "tree"), build_(place / "build"), jobs_(jobs) {
     fs::remove_all(copy_);
     for (const char* part :
          {"src", "cmake", "tests", "verification", "validation", "benchmarks", "reference_data", "CMakeLists.txt"}) {
@@ -102,9 +104,9 @@ class Workshop {
 
   Verdict build_and_run() const {
     const std::string log = (build_ / "run.log").string();
-    if (std::system(
-            ("cmake --build '" + build_.string() + "' --target verification_tests -j 1 >'" + log + "' 2>&1").c_str()) !=
-        0) {
+    if (std::system(("cmake --build '" + build_.string() + "' --target verification_tests -j " + std::to_string(jobs_) +
+                     " >'" + log + "' 2>&1")
+                        .c_str()) != 0) {
       return {"does not build, see " + log, {}};
     }
     const int status = std::system(
@@ -123,6 +125,7 @@ class Workshop {
   static void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
   fs::path tree_, copy_, build_;
+  unsigned jobs_;
   bool configured_ = false;
 };
 
@@ -178,6 +181,8 @@ int main(int argc, char** argv) try {
   std::vector<Fault> faults = faults_in(tree / "verification/faults.toml");
   std::erase_if(faults, [&](const Fault& f) { return (quick && !f.quick) || (!only.empty() && f.name != only); });
   if (faults.empty()) throw std::runtime_error("no fault to try");
+  // To build a second copy takes longer than to try a handful of faults in the first.
+  if (quick) jobs = 1;
 
   std::vector<nlohmann::ordered_json> results(faults.size());
   std::mutex mutex;
@@ -185,7 +190,7 @@ int main(int argc, char** argv) try {
   int holes = 0;
   const auto worker = [&](unsigned number) {
     fs::create_directories(work / std::to_string(number));
-    Workshop workshop(tree, work / std::to_string(number));
+    Workshop workshop(tree, work / std::to_string(number), std::max(1U, std::thread::hardware_concurrency() / jobs));
     const Verdict sound = workshop.build_and_run();
     if (!sound.trouble.empty() || !sound.failed.empty()) {
       const std::scoped_lock lock(mutex);
