@@ -4,13 +4,12 @@
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "output/build_info.h"
 #include "output/frames.h"
+#include "output/machine.h"
 #include "scene/read.h"
 #include "system/observe.h"
 #include "system/prepare.h"
@@ -26,22 +25,6 @@ std::string hexadecimal(std::uint64_t value) {
   std::snprintf(text, sizeof text, "%016" PRIx64, value);
   return text;
 }
-
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
-
-double seconds(clockid_t clock) {
-  timespec now{};
-  clock_gettime(clock, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-double cpu_seconds() { return seconds(CLOCK_THREAD_CPUTIME_ID); }  // of this thread: runs go side by side
-double wall_seconds() { return seconds(CLOCK_MONOTONIC); }
 
 // An empty or new directory, or one with an earlier run, which is removed.
 void claim_directory(const fs::path& directory) {

@@ -29,8 +29,16 @@ struct ReportOptions {
   std::string directory = "report";
   std::string scenes = "validation/scenes";
   bool reuse = false;
-  std::string checks, faults;  // what verification left, shown on the page; see Evidence
+  std::string checks, faults, studies;  // what verification left, shown on the page; see Evidence
 };
 int report_command(const ReportOptions& options);
+
+struct StudyOptions {
+  std::string name;  // empty: list the studies
+  std::string directory = "studies";
+  bool quick = false;
+  unsigned jobs = 0;  // 0: as many as there are processors
+};
+int study_command(const StudyOptions& options);
 
 }  // namespace furrow

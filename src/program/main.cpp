@@ -75,6 +75,14 @@ int parse_and_run(int argc, char** argv) {
   report->add_flag("--reuse", reported.reuse, "keep runs that are there and finished, make only the page anew");
   report->add_option("--checks", reported.checks, "checks.json of the verification tests, to be shown on the page");
   report->add_option("--faults", reported.faults, "faults.json of the fault study, to be shown on the page");
+  report->add_option("--studies", reported.studies, "directory of the studies' results, to be shown on the page");
+
+  StudyOptions studied;
+  auto* study = app.add_subcommand("study", "run a study of methods; without a name: list the studies");
+  study->add_option("name", studied.name, "name of the study");
+  study->add_option("--out", studied.directory, "directory for NAME.json")->capture_default_str();
+  study->add_flag("--quick", studied.quick, "the short form");
+  study->add_option("--jobs", studied.jobs, "runs at a time (default: one a processor)")->check(CLI::PositiveNumber);
 
   try {
     app.parse(argc, argv);
@@ -85,6 +93,7 @@ int parse_and_run(int argc, char** argv) {
   if (*check) return check_command(scenes);
   if (*explain) return explain_command(options);
   if (*methods) return methods_command();
+  if (*study) return study_command(studied);
   return report_command(reported);
 }
 

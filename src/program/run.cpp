@@ -102,7 +102,7 @@ int report_command(const ReportOptions& options) {
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
-  const Evidence evidence{options.checks, options.faults};
+  const Evidence evidence{options.checks, options.faults, options.studies};
   write_report(options.directory, runs, evidence);
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
   return worst == good && failed_checks(evidence) > 0 ? check_failed : worst;

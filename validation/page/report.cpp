@@ -14,6 +14,7 @@
 #include "page/gnuplot.h"
 #include "page/html.h"
 #include "page/observables.h"
+#include "page/studies.h"
 #include "page/verification.h"
 
 namespace furrow {
@@ -390,6 +391,8 @@ void write_report(const std::filesystem::path& out, const std::vector<ReportedRu
                                             {"paper", escaped(paper.title)},
                                             {"contents", contents},
                                             {"scenes", scenes},
+                                            {"study_contents", study_contents(evidence.studies)},
+                                            {"studies", study_sections(evidence.studies, out)},
                                             {"verification", verification_section(evidence)},
                                             {"made", how_made(runs)}});
   page.finish();

@@ -8,8 +8,9 @@ namespace furrow {
 
 // Where the results are; a file that is not there makes a sentence that says so, not an error.
 struct Evidence {
-  std::filesystem::path checks;  // checks.json, written by the verification tests
-  std::filesystem::path faults;  // faults.json, written by the fault study
+  std::filesystem::path checks;     // checks.json, written by the verification tests
+  std::filesystem::path faults;     // faults.json, written by the fault study
+  std::filesystem::path studies{};  // directory of the results of `furrow study`
 };
 
 // HTML. Throws std::runtime_error if a file is malformed.

@@ -1,0 +1,6 @@
+// The studies, one function each; see their files.
+#pragma once
+
+#include "studies/study.h"
+
+namespace furrow::studies {}
