@@ -1,14 +1,28 @@
 #include <stdexcept>
 
 #include "methods/method.h"
+#include "scene/wording.h"
 
 namespace furrow {
 namespace {
 
 using Maker = std::unique_ptr<Method> (*)(const Tolerances&);
 
-constexpr Maker makers[] = {make_pece,       make_verlet,      make_runge_kutta_4,
-                            make_odeint_rk4, make_odeint_abm2, make_odeint_dopri5};
+// One a line, so that additions do not meet.
+// clang-format off
+constexpr Maker makers[] = {
+    make_pece,
+    make_pec,
+    make_pecece,
+    make_adams_bashforth_2,
+    make_symplectic_euler,
+    make_verlet,
+    make_runge_kutta_4,
+    make_odeint_rk4,
+    make_odeint_abm2,
+    make_odeint_dopri5,
+};
+// clang-format on
 
 }  // namespace
 
@@ -22,12 +36,12 @@ const std::vector<MethodInfo>& method_catalogue() {
 }
 
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances) {
-  std::string known;
-  for (std::size_t k = 0; k < method_catalogue().size(); ++k) {
-    if (method_catalogue()[k].name == name) return makers[k](tolerances);
-    known += (k == 0 ? "" : ", ") + method_catalogue()[k].name;
+  std::vector<std::string> known;
+  for (const MethodInfo& info : method_catalogue()) {
+    if (info.name == name) return makers[known.size()](tolerances);
+    known.push_back(info.name);
   }
-  throw std::invalid_argument("no method '" + name + "'; there are " + known);
+  throw std::invalid_argument("no method '" + name + "'" + did_you_mean(name, known) + "; there are " + joined(known));
 }
 
 }  // namespace furrow

@@ -59,11 +59,15 @@ class Method {
 // All methods, own ones first.
 const std::vector<MethodInfo>& method_catalogue();
 
-// Throws std::invalid_argument that lists the names if there is no such method.
+// Throws std::invalid_argument that lists the names, the nearest one first, if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
 // The makers. Fixed-step methods take no notice of the tolerances.
 std::unique_ptr<Method> make_pece(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_pec(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_pecece(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_adams_bashforth_2(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_symplectic_euler(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_verlet(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_odeint_rk4(const Tolerances& tolerances = {});

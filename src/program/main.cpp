@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -32,9 +33,12 @@ int check_command(const std::vector<std::string>& scenes) {
 }
 
 int methods_command() {
-  std::printf("name           order  f a step  step        what\n");
+  std::size_t widest = 0;
+  for (const MethodInfo& m : method_catalogue()) widest = std::max(widest, m.name.size());
+  const int width = static_cast<int>(widest);
+  std::printf("%-*s  order  f a step  step        what\n", width, "name");
   for (const MethodInfo& m : method_catalogue()) {
-    std::printf("%-14s %5d  %8d  %-10s  %s\n", m.name.c_str(), m.order, m.evaluations,
+    std::printf("%-*s  %5d  %8d  %-10s  %s\n", width, m.name.c_str(), m.order, m.evaluations,
                 m.controlled ? "controlled" : "fixed", m.title.c_str());
   }
   return good;

@@ -259,7 +259,8 @@ TEST(Catalogue, NamesAreUniqueAndCanBeMade) {
     EXPECT_EQ(make_method(info.name)->info().name, info.name);
     EXPECT_FALSE(info.title.empty());
   }
-  for (const char* name : {"pece", "verlet", "rk4", "odeint_rk4", "odeint_abm2", "odeint_dopri5"}) {
+  for (const char* name : {"pece", "pec", "pecece", "ab2", "symplectic_euler", "verlet", "rk4", "odeint_rk4",
+                           "odeint_abm2", "odeint_dopri5"}) {
     EXPECT_EQ(names.count(name), 1u) << name;
   }
 }
@@ -272,6 +273,15 @@ TEST(Catalogue, AnUnknownNameIsAnsweredWithTheKnownOnes) {
     const std::string text = error.what();
     EXPECT_NE(text.find("'euler'"), std::string::npos);
     for (const MethodInfo& info : method_catalogue()) EXPECT_NE(text.find(info.name), std::string::npos) << info.name;
+  }
+}
+
+TEST(Catalogue, AMisspeltNameIsAnsweredWithTheNearestOne) {
+  try {
+    make_method("symplectic_eular");
+    FAIL() << "no method is called so";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"symplectic_euler\"?"), std::string::npos);
   }
 }
 
