@@ -66,9 +66,11 @@ std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& t
 std::unique_ptr<Method> make_pece(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_pec(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_pecece(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_pece_adaptive(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_adams_bashforth_2(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_symplectic_euler(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_verlet(const Tolerances& tolerances = {});
+std::unique_ptr<Method> make_runge_kutta_chebyshev(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_odeint_rk4(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_odeint_abm2(const Tolerances& tolerances = {});
