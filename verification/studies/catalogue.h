@@ -3,4 +3,8 @@
 
 #include "studies/study.h"
 
-namespace furrow::studies {}
+namespace furrow::studies {
+
+Json work_precision(const Settings& settings);
+
+}  // namespace furrow::studies

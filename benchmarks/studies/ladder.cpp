@@ -1,0 +1,182 @@
+#include "studies/ladder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::studies {
+namespace {
+
+constexpr double paper_step = 1e-4;  // s: one of the steps of every ladder
+constexpr int least_repeats = 3, most_repeats = 9;
+constexpr double worth_repeating = 0.05, long_enough = 1.0;  // s of CPU
+constexpr double cold_start = 5e-3;  // s: of shorter runs the first one warms the caches and is not counted
+
+// At fixed steps an event falls into the same place of its step again and again; neighbouring steps spread it.
+std::vector<Effort> phases_of(const Effort& effort, const CaseInfo& info, const Case& scene, bool controlled) {
+  std::vector<Effort> all{effort};
+  const long n = std::lround(scene.span.interval / effort.step);
+  for (int k = 1; k < info.phases; ++k) {
+    const long off = (k % 2 == 1 ? 1 : -1) * ((k + 1) / 2) * std::max(1L, std::lround(0.06 * static_cast<double>(n)));
+    if (!controlled && n + off < 8) break;
+    all.push_back(effort);
+    all.back().step = controlled ? effort.step : scene.span.interval / static_cast<double>(n + off);
+    all.back().tolerance *= k % 2 == 1 ? 0.7 : 1.4;
+  }
+  return all;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+Point measured(const std::vector<Effort>& phases, const Case& scene, const Reference& reference) {
+  Point point;
+  std::vector<double> cpu;
+  std::vector<long> evaluations;
+  double spent = 0;
+  const double runs = static_cast<double>(phases.size());
+  for (std::size_t k = 0; k < most_repeats; ++k) {
+    const bool again = k >= phases.size();
+    if (again && k >= least_repeats && spent > worth_repeating) break;
+    if (again && spent > long_enough) break;
+    const Outcome outcome = run_case(scene, phases[k % phases.size()]);
+    spent += outcome.cpu;
+    cpu.push_back(outcome.cpu);
+    if (again) {
+      if (outcome.evaluations != evaluations[k % phases.size()]) throw std::logic_error("a repeated run differs");
+      continue;
+    }
+    const Error error = error_of(outcome, reference.outcome);
+    point.failure = outcome.failure;
+    if (point.failure.empty() && !std::isfinite(error.place + error.force))
+      point.failure = "an error that is not finite";
+    if (!point.failure.empty()) {
+      point.evaluations = static_cast<double>(outcome.evaluations);
+      break;
+    }
+    evaluations.push_back(outcome.evaluations);
+    point.evaluations += static_cast<double>(outcome.evaluations) / runs;
+    point.error.place += error.place * error.place / runs;
+    point.error.force += error.force * error.force / runs;
+  }
+  point.error = {std::sqrt(point.error.place), std::sqrt(point.error.force)};
+  if (cpu.size() > 1 && cpu.front() < cold_start) cpu.erase(cpu.begin());
+  point.cpu = median(cpu);
+  point.cpu_least = *std::min_element(cpu.begin(), cpu.end());
+  point.cpu_most = *std::max_element(cpu.begin(), cpu.end());
+  return point;
+}
+
+bool below(const Error& error, const Error& floor) { return error.place < floor.place && error.force <= floor.force; }
+
+std::vector<double> settings_of(const CaseInfo& info, bool controlled) {
+  std::vector<double> all;
+  if (controlled) {
+    for (int k = 1; k <= 12; ++k) all.push_back(std::pow(10.0, -k));
+  } else {
+    double h = paper_step;
+    while (h * 2 <= info.coarsest) h *= 2;
+    for (; h >= info.finest; h /= 2) all.push_back(h);
+  }
+  return all;
+}
+
+// Of a fixed-step run that failed: evaluations if it had come to its end.
+double nominal_evaluations(const MethodInfo& method, const Case& scene, double step) {
+  return (scene.span.end() - scene.span.start) / step * method.evaluations;
+}
+
+double rounded(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(value))) - 5);
+  return std::round(value / unit) * unit;
+}
+
+}  // namespace
+
+Ladder climb(const MethodInfo& method, const CaseInfo& info, const Case& scene, const Reference& reference) {
+  Ladder ladder{.method = method.name};
+  const double length = scene.span.end() - scene.span.start;
+  const long most = std::lround(4 * length / info.finest);
+  for (const double setting : settings_of(info, method.controlled)) {
+    Effort effort{.method = method.name, .step = scene.span.interval, .most_evaluations = most};
+    if (method.controlled) {
+      effort.tolerance = setting;
+    } else {
+      // The next step that divides the interval between samples.
+      effort.step = scene.span.interval / std::max(1.0, std::round(scene.span.interval / setting));
+      if (nominal_evaluations(method, scene, effort.step) > static_cast<double>(most)) break;
+    }
+    Point point;
+    try {
+      point = measured(phases_of(effort, info, scene, method.controlled), scene, reference);
+    } catch (const std::invalid_argument& reason) {
+      ladder.left_out = reason.what();
+      break;
+    }
+    point.setting = method.controlled ? setting : effort.step;
+    const bool given_up = !point.failure.empty() && point.evaluations >= static_cast<double>(most);
+    if (given_up && !method.controlled) break;
+    if (!point.failure.empty() && !method.controlled)
+      point.evaluations = nominal_evaluations(method, scene, effort.step);
+    ladder.points.push_back(point);
+    if (given_up || (point.failure.empty() && below(point.error, reference.floor()))) break;
+  }
+  return ladder;
+}
+
+Json json_of(const Ladder& ladder) {
+  Json points = Json::array();
+  for (const Point& p : ladder.points) {
+    Json one = {{"setting", rounded(p.setting)}, {"evaluations", rounded(p.evaluations)}};
+    if (p.failure.empty()) {
+      one.update({{"place", rounded(p.error.place)},
+                  {"force", rounded(p.error.force)},
+                  {"cpu", rounded(p.cpu)},
+                  {"cpu_least", rounded(p.cpu_least)},
+                  {"cpu_most", rounded(p.cpu_most)}});
+    } else {
+      one["failed"] = p.failure;
+    }
+    points.push_back(one);
+  }
+  Json json = {{"method", ladder.method}, {"points", points}};
+  if (!ladder.left_out.empty()) json["left_out"] = ladder.left_out;
+  return json;
+}
+
+Ladder ladder_from(const Json& json) {
+  if (json.contains("failed")) throw std::runtime_error(json.at("failed").get<std::string>());
+  Ladder ladder{.method = json.at("method"), .left_out = json.value("left_out", "")};
+  for (const Json& p : json.at("points")) {
+    Point point{.setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
+    point.error = {p.value("place", 0.0), p.value("force", 0.0)};
+    point.cpu = p.value("cpu", 0.0);
+    point.cpu_least = p.value("cpu_least", 0.0);
+    point.cpu_most = p.value("cpu_most", 0.0);
+    ladder.points.push_back(point);
+  }
+  return ladder;
+}
+
+double cost_at(const Ladder& ladder, double error, bool by_force, double Point::*cost) {
+  double reached = NAN;
+  for (std::size_t k = ladder.points.size(); k-- > 0;) {
+    const Point& p = ladder.points[k];
+    if (!p.failure.empty() && std::isnan(reached)) continue;  // given up at the fine end
+    if (!p.failure.empty()) break;
+    if (p.error_by(by_force) <= error) {
+      reached = p.*cost;
+      continue;
+    }
+    if (std::isnan(reached)) return reached;
+    const Point& finer = ladder.points[k + 1];
+    const double at =
+        std::log(p.error_by(by_force) / error) / std::log(p.error_by(by_force) / finer.error_by(by_force));
+    return p.*cost * std::pow(finer.*cost / p.*cost, at);
+  }
+  return reached;
+}
+
+}  // namespace furrow::studies

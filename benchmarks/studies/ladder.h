@@ -1,0 +1,34 @@
+// One method on one case over a range of steps or tolerances: error and cost, failures included.
+#pragma once
+
+#include "methods/method.h"
+#include "studies/reference.h"
+
+namespace furrow::studies {
+
+struct Point {
+  double setting = 0;                           // s, step; of a controlled method the relative tolerance
+  Error error{};                                // root mean square over the phases
+  double evaluations = 0;                       // mean over the phases
+  double cpu = 0, cpu_least = 0, cpu_most = 0;  // s: median, and spread of the repeats
+  std::string failure{};                        // then the costs are those of a run to the end, as far as known
+  double error_by(bool force) const { return force ? error.force : error.place; }
+};
+
+struct Ladder {
+  std::string method, left_out{};  // why the method cannot run here
+  std::vector<Point> points{};     // from coarse to fine
+};
+
+// Steps are halved, tolerances divided by ten, from the coarsest on until the error is below the floor of the reference
+// or a run costs more evaluations than rk4 with the finest step.
+Ladder climb(const MethodInfo& method, const CaseInfo& info, const Case& scene, const Reference& reference);
+
+Json json_of(const Ladder& ladder);
+Ladder ladder_from(const Json& json);
+
+// Cost at an error that the method keeps with every finer setting that was tried: between two points along the straight
+// line in logarithms. NaN if it does not get there.
+double cost_at(const Ladder& ladder, double error, bool by_force, double Point::*cost);
+
+}  // namespace furrow::studies

@@ -1,0 +1,113 @@
+#include "studies/measured_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "system/run.h"
+
+namespace furrow::studies {
+namespace {
+
+// Sum over all plates; cheaper than observe(), which is not what is measured.
+std::pair<double, double> force_on_plates(const System& system, double t, const State& y) {
+  double x = 0;
+  double height = 0;
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    if (c.kind != disc_plate && c.kind != node_plate) return;
+    for (int k = 0; k < c.count; ++k) {
+      x -= c.force_x(k);
+      height -= c.force_y(k);
+    }
+  });
+  return {x, height};
+}
+
+class Sampler {
+ public:
+  Sampler(const Case& scene, Outcome& outcome) : case_(scene), outcome_(outcome) {
+    outcome_.reach.resize(static_cast<std::size_t>(scene.system.parts().bodies()));
+  }
+
+  double next() const { return case_.span.start + case_.span.interval * (taken_ + 1); }
+
+  void see(const System& system, double t, const State& y) {
+    if (t < next() - 1e-6 * case_.span.interval) return;
+    ++taken_;
+    if (!system.parts().plate.empty()) {
+      const auto [x, height] = force_on_plates(system, t, y);
+      outcome_.force.insert(outcome_.force.end(), {x, height});
+    }
+    for (int i = 0; i < system.parts().bodies(); ++i) {
+      const double gone =
+          std::hypot(y[system.x_of(i)] - case_.y[system.x_of(i)], y[system.y_of(i)] - case_.y[system.y_of(i)]);
+      outcome_.reach[i] = std::max(outcome_.reach[i], gone);
+    }
+  }
+
+ private:
+  const Case& case_;
+  Outcome& outcome_;
+  int taken_ = 0;
+};
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// Per number, over `unit`; 0 if there is nothing to compare.
+double difference(const std::vector<double>& a, const std::vector<double>& b, double unit) {
+  if (b.empty()) return 0;
+  if (a.size() != b.size()) return NAN;
+  std::vector<double> apart(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) apart[i] = a[i] - b[i];
+  return root_mean_square(apart) / unit;
+}
+
+}  // namespace
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Outcome run_case(const Case& scene, const Effort& effort) {
+  Outcome outcome;
+  System system = scene.system;
+  State y = scene.y;
+  const auto method = make_method(
+      effort.method,
+      {.relative = effort.tolerance, .absolute = 0.01 * effort.tolerance, .first_step = std::min(1e-4, effort.step)});
+  Sampler sampler(scene, outcome);
+  const RunPlan plan{
+      .start = scene.span.start, .end = scene.span.end(), .step = effort.step, .stop = [&sampler](double) {
+        return sampler.next();
+      }};
+  const double begun = cpu_seconds();
+  const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& jump) {
+    outcome.torn += static_cast<int>(jump.torn.size());
+    sampler.see(system, t, now);
+    return method->evaluations() < effort.most_evaluations;
+  });
+  outcome.cpu = cpu_seconds() - begun;
+  outcome.reached = end.time;
+  outcome.steps = end.steps;
+  outcome.evaluations = method->evaluations();
+  if (end.ending == Ending::diverged) outcome.failure = end.reason;
+  if (end.ending == Ending::stopped)
+    outcome.failure = "not at the end after " + std::to_string(effort.most_evaluations) + " evaluations";
+  outcome.place.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(system.positions()));
+  return outcome;
+}
+
+Error error_of(const Outcome& outcome, const Outcome& reference) {
+  // Over the numbers of x and y each: the same root mean square over bodies in both, but for a factor sqrt(2).
+  const double unit = root_mean_square(reference.reach) / std::sqrt(2.0);
+  return {difference(outcome.place, reference.place, unit),
+          difference(outcome.force, reference.force, root_mean_square(reference.force))};
+}
+
+}  // namespace furrow::studies

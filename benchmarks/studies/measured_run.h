@@ -1,0 +1,38 @@
+// One run of a case with one method: what came out, and what it cost.
+#pragma once
+
+#include "studies/cases.h"
+
+namespace furrow::studies {
+
+struct Effort {
+  std::string method;
+  double step = 0;       // s; of a controlled method the largest one
+  double tolerance = 0;  // relative, of a controlled method; the absolute one is this times 0.01 m, m/s, rad/s
+  long most_evaluations = 20000000;  // then the run is given up
+};
+
+struct Outcome {
+  std::string failure;              // empty: the run came to its end
+  double reached = 0;               // s
+  long steps = 0, evaluations = 0;  // -, of the right-hand side
+  double cpu = 0;                   // s, of this thread, for steps, jumps and samples
+  int torn = 0;                     // links
+  std::vector<double> place{},
+      force{};                  // m, x and y of all bodies at the end; N, Fx and Fy on all plates, sample by sample
+  std::vector<double> reach{};  // m, by body: greatest distance from its start, at the samples
+};
+
+Outcome run_case(const Case& scene, const Effort& effort);
+
+// Relative to what happens at all: positions to the root mean square over the bodies of how far each one gets from its
+// start, forces to the root mean square of the force.
+struct Error {
+  double place = 0, force = 0;  // -
+};
+Error error_of(const Outcome& outcome, const Outcome& reference);
+
+// s, of this thread.
+double cpu_seconds();
+
+}  // namespace furrow::studies

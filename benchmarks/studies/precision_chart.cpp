@@ -1,0 +1,142 @@
+#include "studies/precision_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace furrow::studies {
+namespace {
+
+constexpr double useless = 1;  // an error as large as what happens
+constexpr std::array<double Point::*, 2> costs{&Point::evaluations, &Point::cpu};
+constexpr std::array<const char*, 2> cost_names{"evaluations", "cpu"};
+
+// Line styles of the script work_precision.gp, in its order.
+const std::vector<std::string> styled{
+    "pece", "pec", "pecece", "adams_bashforth_2", "pece_adaptive", "symplectic_euler", "verlet", "rk4", "rkc", "imex"};
+const std::vector<std::string> families{"odeint Runge-Kutta", "odeint Adams", "odeint controlled", "odeint symplectic",
+                                        "odeint implicit"};
+constexpr int first_family_style = 21;
+
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+std::string family_of(const std::string& method) {
+  if (!method.starts_with("odeint_")) return method;
+  for (const MethodInfo& info : method_catalogue()) {
+    if (info.name == method && info.controlled) return families[2];
+  }
+  for (const char* adams : {"ab", "adams"}) {
+    if (method.starts_with("odeint_" + std::string(adams))) return families[1];
+  }
+  if (contains(method, "symplectic") || contains(method, "verlet")) return families[3];
+  if (contains(method, "implicit") || contains(method, "rosenbrock")) return families[4];
+  return families[0];
+}
+
+int style_of(const std::string& curve) {
+  const auto family = std::find(families.begin(), families.end(), curve);
+  if (family != families.end()) return first_family_style + static_cast<int>(family - families.begin());
+  const auto own = std::find(styled.begin(), styled.end(), curve);
+  return 1 + static_cast<int>(own - styled.begin());
+}
+
+struct Mark {
+  double cost, error, least, most;
+};
+
+struct Curve {
+  std::array<std::vector<Mark>, 2> marks;  // by cost
+  std::array<std::vector<double>, 2> failures;
+};
+
+void add(Curve& curve, const Ladder& ladder, bool by_force) {
+  double each = NAN;  // s, of CPU an evaluation
+  for (const Point& p : ladder.points) {
+    if (p.failure.empty()) each = p.cpu / p.evaluations;
+  }
+  for (const Point& p : ladder.points) {
+    const bool failed = !p.failure.empty() || p.error_by(by_force) > useless;
+    if (failed) {
+      curve.failures[0].push_back(p.evaluations);
+      curve.failures[1].push_back(p.failure.empty() ? p.cpu : p.evaluations * each);
+    } else {
+      const double error = p.error_by(by_force);
+      curve.marks[0].push_back({p.evaluations, error, p.evaluations, p.evaluations});
+      curve.marks[1].push_back({p.cpu, error, p.cpu_least, p.cpu_most});
+    }
+  }
+}
+
+// What some member reaches at a cost: dearer marks that are not more accurate go.
+void keep_envelope(std::vector<Mark>& marks) {
+  std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.cost < b.cost; });
+  double best = infinity;
+  std::erase_if(marks, [&best](const Mark& m) {
+    if (m.error >= best) return true;
+    best = m.error;
+    return false;
+  });
+}
+
+std::map<std::pair<int, std::string>, Curve> curves_of(const std::vector<Ladder>& ladders, bool by_force) {
+  std::map<std::pair<int, std::string>, Curve> curves;
+  for (const Ladder& ladder : ladders) {
+    const std::string family = family_of(ladder.method);
+    add(curves[{style_of(family), family}], ladder, by_force);
+  }
+  for (auto& [key, curve] : curves) {
+    if (key.first < first_family_style) continue;
+    for (std::vector<Mark>& marks : curve.marks) keep_envelope(marks);
+  }
+  std::erase_if(curves,
+                [](const auto& entry) { return entry.second.marks[0].empty() && entry.second.failures[0].empty(); });
+  return curves;
+}
+
+Json digits(double value) {
+  if (!std::isfinite(value)) return {};
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3);
+  return std::round(value / unit) * unit;
+}
+
+}  // namespace
+
+Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders, double floor, const Point* paper) {
+  Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
+  figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
+                   " against evaluations and CPU time. Crosses: the run failed, or its error is above 1. Grey: the "
+                   "best of each family "
+                   "of Boost.Odeint. Star: the paper's setting. Bars: spread of the repeats. Below the dashed line the "
+                   "references do not "
+                   "tell errors apart: what is smaller is drawn on it.";
+  figure.description = "Work-precision chart of " + info.title;
+  std::string names, styles;
+  int count = 0;
+  for (const char* name : cost_names) {
+    figure.blocks["curves_" + std::string(name)] = Json::array();
+    figure.blocks["failures_" + std::string(name)] = Json::array();
+    figure.blocks["star_" + std::string(name)] = Json::array();
+  }
+  for (const auto& [key, curve] : curves_of(ladders, info.by_force)) {
+    names += (count == 0 ? "" : ";") + key.second;
+    styles += " " + std::to_string(key.first);
+    ++count;
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+      for (const Mark& m : curve.marks[k])
+        figure.blocks["curves_" + std::string(cost_names[k])].push_back(
+            {count, digits(m.cost), digits(std::max(m.error, floor)), digits(m.least), digits(m.most)});
+      for (const double cost : curve.failures[k])
+        figure.blocks["failures_" + std::string(cost_names[k])].push_back({count, digits(cost)});
+    }
+  }
+  if (paper) {
+    for (std::size_t k = 0; k < costs.size(); ++k)
+      figure.blocks["star_" + std::string(cost_names[k])].push_back(
+          {digits(paper->*costs[k]), digits(std::clamp(paper->error_by(info.by_force), floor, useless))});
+  }
+  figure.variables = {{"names", names}, {"styles", styles}, {"count", count}, {"low", floor}};
+  return figure;
+}
+
+}  // namespace furrow::studies

@@ -1,0 +1,27 @@
+// What methods are compared with: two runs of a case by unrelated methods, and how long a scene can be foretold at all.
+#pragma once
+
+#include "studies/measured_run.h"
+#include "studies/study.h"
+
+namespace furrow::studies {
+
+struct Reference {
+  Outcome outcome;       // of rk4 with short steps
+  std::string other;     // the unrelated method
+  Error disagreement{};  // of the two
+  // An error is plotted, and quoted, only down to here.
+  Error floor() const { return {10 * disagreement.place, 10 * disagreement.force}; }
+};
+
+// What rk4 and a controlled Dormand-Prince method of Boost.Odeint make of a case. Throws Divergence if one of them does
+// not come to the end.
+Json reference_runs(const CaseInfo& info, const Case& scene);
+Reference reference_from(const Json& runs);
+
+// A run and one whose start is off by 1e-12 of each position, by the paper's method with short steps: seconds from the
+// start until they are further apart than 1e-9, 1e-6, 1e-3 of how far bodies got (null: never), and by how much the
+// nudge has grown at the end of the case.
+Json predictability(const CaseInfo& info, const Case& scene);
+
+}  // namespace furrow::studies
