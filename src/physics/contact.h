@@ -83,7 +83,7 @@ struct TouchForce {
 };
 
 template <bool Rolling>
-inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
+[[gnu::always_inline]] inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
   TouchForce f{};
   const double root = std::sqrt(c.reduced_radius * c.overlap);
   f.stiffness = 2 * law.modulus * root;
@@ -106,6 +106,13 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
                std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
   }
   return f;
+}
+
+// m: |xi| is at most mu Fn / St.
+[[gnu::always_inline]] inline double returned_spring(const ContactLaw& law, const TouchForce& f, double spring) {
+  const double pressed = f.normal > 0 ? f.normal : 0;
+  const double limit = law.friction * pressed / f.shear_stiffness;
+  return spring > limit ? limit : spring < -limit ? -limit : spring;
 }
 
 // What the normal spring holds: the integral of Fe from 0 to d.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 namespace furrow {
@@ -21,15 +22,15 @@ class Watch {
 
   // Empty if the step from `before` to `after` is sound.
   std::string complaint(const State& before, const State& after, double h) const {
-    double sum = 0;
-    for (const double v : after) sum += v - v;  // not zero if any number is not finite
-    bool far = false;
+    // Whole numbers for the verdicts: sums of them may be taken in any order, thus several at once.
+    std::int64_t unsound = 0;
+    for (const double v : after) unsound += v - v != 0 ? 1 : 0;  // not finite
     const int bodies = static_cast<int>(size_.size());
     for (int i = 0; i < bodies; ++i) {
-      far |= std::fabs(after[i] - before[i]) > size_[i];
-      far |= std::fabs(after[bodies + i] - before[bodies + i]) > size_[i];
+      unsound += std::fabs(after[i] - before[i]) > size_[i] ? 1 : 0;
+      unsound += std::fabs(after[bodies + i] - before[bodies + i]) > size_[i] ? 1 : 0;
     }
-    if (sum == 0 && !far) return {};
+    if (unsound == 0) return {};
     std::ostringstream text;
     for (int i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);

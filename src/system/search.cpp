@@ -18,17 +18,16 @@ double least_radius(const Parts& parts) {
   return std::isfinite(least) ? least : 1;
 }
 
-double greatest_move(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0) {
-  double greatest = 0;
-  double sum = 0;  // not finite if any of them is not
+// Whether a point has moved further than `limit` (m) or is not finite.
+bool moved(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0,
+           double limit) {
+  std::int64_t far = 0;  // counted, not left at the first: several at once
   for (std::size_t i = 0; i < x0.size(); ++i) {
     const double dx = x[i] - x0[i];
     const double dy = y[i] - y0[i];
-    const double moved = dx * dx + dy * dy;
-    greatest = std::max(greatest, moved);
-    sum += moved;
+    far += dx * dx + dy * dy <= limit * limit ? 0 : 1;
   }
-  return std::isfinite(sum) ? std::sqrt(greatest) : infinity;
+  return far != 0;
 }
 
 // Discs sorted into square cells, by counting.
@@ -102,11 +101,11 @@ void NeighbourSearch::update(const Parts& parts, const Placement& now) {
 
 // Two bodies, or a body and a plate, have come closer by no more than the skin.
 bool NeighbourSearch::current(const Parts& parts, const Placement& now) const {
-  const double moved = std::max(greatest_move(now.disc_x, now.disc_y, disc_x_, disc_y_),
-                                greatest_move(now.node_x, now.node_y, node_x_, node_y_));
   double speed = 0;
   for (const PlatePart& p : parts.plate) speed = std::max(speed, std::sqrt(p.vx * p.vx + p.vy * p.vy));
-  return moved + std::max(moved, speed * std::fabs(now.t - made_at_)) <= skin_;
+  const double limit = std::min(0.5 * skin_, skin_ - speed * std::fabs(now.t - made_at_));
+  return limit >= 0 && !moved(now.disc_x, now.disc_y, disc_x_, disc_y_, limit) &&
+         !moved(now.node_x, now.node_y, node_x_, node_y_, limit);
 }
 
 void NeighbourSearch::remember(const Parts& parts, const Placement& now) {
@@ -197,14 +196,14 @@ void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::v
   Candidates& old = candidates[kind];
   Candidates fresh;
   const auto before = [](const Pair& p, const Pair& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
-  const auto add = [&](const Pair& p, int slot, std::uint8_t quiet) {
+  const auto add = [&](const Pair& p, int slot, std::uint32_t near_at) {
     const int own = of_disc(kind) ? parts.disc.material[p.a] : parts.node.material[p.a];
     const double radius = of_disc(kind) ? parts.disc.radius[p.a] : parts.node.contact_radius[p.a];
     const double mass = of_disc(kind) ? parts.disc.mass[p.a] : parts.node.mass[p.a];
     fresh.a.push_back(p.a);
     fresh.b.push_back(p.b);
     fresh.slot.push_back(slot);
-    fresh.quiet.push_back(quiet);
+    fresh.near_at.push_back(near_at);
     if (kind == disc_disc) {
       const double other = parts.disc.radius[p.b];
       const double other_mass = parts.disc.mass[p.b];
@@ -226,7 +225,7 @@ void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::v
     const Pair kept{old.a[k], old.b[k]};
     while (n < near.size() && before(near[n], kept)) add(near[n++], -1, 0);
     if (n < near.size() && !before(kept, near[n])) ++n;
-    add(kept, old.slot[k], old.quiet[k]);
+    add(kept, old.slot[k], old.near_at[k]);
   }
   while (n < near.size()) add(near[n++], -1, 0);
   old = std::move(fresh);

@@ -12,11 +12,15 @@
 
 namespace furrow {
 
+// Jumps without nearness after which a slot may pass to another contact: longer than the history of any multistep
+// method, so that nothing of the old contact reaches the new one.
+inline constexpr std::uint32_t quiet_jumps = 8;
+
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
 struct Candidates {
   std::vector<int> a, b;
   std::vector<int> slot;               // of the tangential spring in the state; -1: none
-  std::vector<std::uint8_t> quiet;     // accepted steps since the pair was last near; see NeighbourSearch::margin
+  std::vector<std::uint32_t> near_at;  // jump at which the pair was last near; see NeighbourSearch::margin
   std::vector<double> reduced_radius;  // m
   std::vector<double> reduced_mass;    // kg; of disc and lattice: not used, it depends on the contact point
   std::vector<int> law;                // index into Parts::law

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 #include "physics/link.h"
@@ -36,11 +37,12 @@ System::System(const Scene& scene)
   }
   friction_ = friction_ || rolling_;
   const int spins = friction_ ? parts_.disc.count() : 0;
-  slots_ = friction_ ? slots_needed(parts_) : 0;
+  spring_count_ = friction_ ? slots_needed(parts_) : 0;
   springs_ = 4 * bodies_ + spins;
-  ledger_ = springs_ + slots_;
-  free_slots_.resize(static_cast<std::size_t>(slots_));
-  for (int k = 0; k < slots_; ++k) free_slots_[k] = slots_ - 1 - k;
+  ledger_ = springs_ + spring_count_;
+  slots_.nearness.margin = search_.margin;
+  for (int k = spring_count_; k-- > 0;) slots_.unused.push_back(k);
+  relaxed_.resize(static_cast<std::size_t>(spring_count_));
 
   for (int i = 0; i < parts_.disc.count(); ++i) {
     inverse_mass_.push_back(1 / parts_.disc.mass[i]);
@@ -62,6 +64,8 @@ System::System(const Scene& scene)
   }
   node_fx_.resize(nodes_.x.size());
   node_fy_.resize(nodes_.x.size());
+  disc_load_.resize(parts_.disc.radius.size());
+  packed_.resize(parts_.disc.radius.size());
 
   disc_start_ = scene.disc;
 }
@@ -115,62 +119,76 @@ Placement System::placement(double t, const State& y) const {
 }
 
 void System::rhs(double t, const State& y, State& dydt) const {
-  double* fx = dydt.data() + 2 * bodies_;
-  double* fy = dydt.data() + 3 * bodies_;
-  double* torque = dydt.data() + 4 * bodies_;
+  if (t == known_time_ && y.size() == known_.size() &&
+      std::memcmp(y.data(), known_.data(), y.size() * sizeof y[0]) == 0) {
+    std::copy(known_rates_.begin(), known_rates_.end(), dydt.begin());
+    return;
+  }
+  begin_rates(y, dydt);
+  for_each_block(t, y, nullptr, [&](const TouchBlock& c) { add_contacts(c, t, dydt); });
+  finish_rates(dydt);
+}
+
+void System::begin_rates(const State& y, State& dydt) const {
   std::copy(y.begin() + 2 * bodies_, y.begin() + 4 * bodies_, dydt.begin());
-  std::fill(dydt.begin() + 2 * bodies_, dydt.end(), 0.0);
+  std::fill(dydt.begin() + springs_, dydt.end(), 0.0);
+  std::fill(disc_load_.begin(), disc_load_.end(), DiscLoad{});
   std::copy(parts_.node.load_x.begin(), parts_.node.load_x.end(), node_fx_.begin());
   std::copy(parts_.node.load_y.begin(), parts_.node.load_y.end(), node_fy_.begin());
-  double* work = keeps_ledger_ ? dydt.data() + ledger_ : nullptr;
+}
 
-  for_each_touch(t, y, [&](const TouchBlock& c) {
-    const Candidates& list = search_.candidates[c.kind];
+void System::add_contacts(const TouchBlock& c, double t, State& dydt) const {
+  if (c.kind == disc_disc) {
+    kernel_->add(c, disc_load_.data());
+  } else if (of_disc(c.kind)) {
     for (int k = 0; k < c.count; ++k) {
-      const double force_x = c.force_x(k);
-      const double force_y = c.force_y(k);
-      const int a = c.a[k];
-      double* own_x = of_disc(c.kind) ? fx : node_fx_.data();
-      double* own_y = of_disc(c.kind) ? fy : node_fy_.data();
-      own_x[a] += force_x;
-      own_y[a] += force_y;
-      if (c.kind == disc_disc) {
-        fx[c.b[k]] -= force_x;
-        fy[c.b[k]] -= force_y;
-      } else if (c.kind == disc_lattice) {
-        const int i = parts_.border.a[c.segment[k]];
-        const int j = parts_.border.b[c.segment[k]];
-        node_fx_[i] -= (1 - c.share[k]) * force_x;
-        node_fy_[i] -= (1 - c.share[k]) * force_y;
-        node_fx_[j] -= c.share[k] * force_x;
-        node_fy_[j] -= c.share[k] * force_y;
-      }
+      DiscLoad& sum = disc_load_[c.a[k]];
+      sum.fx += c.fx[k];
+      sum.fy += c.fy[k];
+      sum.torque += c.torque_a[k];
     }
-    if (friction_) {
-      for (int k = 0; k < c.count; ++k) {
-        const int slot = list.slot[c.candidate[k]];
-        if (slot >= 0) dydt[springs_ + slot] = c.slip[k];
-        if (of_disc(c.kind)) torque[c.a[k]] += c.arm_a[k] * c.tangential[k] + c.moment[k];
-        if (c.kind == disc_disc) torque[c.b[k]] += c.arm_b[k] * c.tangential[k] - c.moment[k];
-      }
+  } else {
+    for (int k = 0; k < c.count; ++k) {
+      node_fx_[c.a[k]] += c.fx[k];
+      node_fy_[c.a[k]] += c.fy[k];
     }
-    if (work) add_to_ledger(c, work, t);
-  });
-  add_link_forces(work);
+  }
+  if (c.kind == disc_lattice) {
+    for (int k = 0; k < c.count; ++k) {
+      const int i = parts_.border.a[c.segment[k]];
+      const int j = parts_.border.b[c.segment[k]];
+      node_fx_[i] -= (1 - c.share[k]) * c.fx[k];
+      node_fy_[i] -= (1 - c.share[k]) * c.fy[k];
+      node_fx_[j] -= c.share[k] * c.fx[k];
+      node_fy_[j] -= c.share[k] * c.fy[k];
+    }
+  }
+  if (friction_) {
+    double* rate = dydt.data() + springs_;
+    for (int k = 0; k < c.count; ++k) {
+      if (c.slot[k] >= 0) rate[c.slot[k]] = c.slip[k];
+    }
+  }
+  if (keeps_ledger_) add_to_ledger(c, dydt.data() + ledger_, t);
+}
 
+void System::finish_rates(State& dydt) const {
+  double* ax = dydt.data() + 2 * bodies_;
+  double* ay = dydt.data() + 3 * bodies_;
+  add_link_forces(keeps_ledger_ ? dydt.data() + ledger_ : nullptr);
+  for (int i = 0; i < parts_.disc.count(); ++i) {
+    ax[i] = disc_load_[i].fx * inverse_mass_[i];
+    ay[i] = disc_load_[i].fy * inverse_mass_[i] - weight_[i];
+  }
   for (int n = 0; n < parts_.node.count(); ++n) {
     const int body = parts_.node.body[n];
     if (body < 0) continue;
-    fx[body] = node_fx_[n];
-    fy[body] = node_fy_[n];
+    ax[body] = node_fx_[n] * inverse_mass_[body];
+    ay[body] = node_fy_[n] * inverse_mass_[body] - weight_[body];
   }
-  for (int i = 0; i < bodies_; ++i) {
-    fx[i] *= inverse_mass_[i];
-    fy[i] = fy[i] * inverse_mass_[i] - weight_[i];
-  }
-  if (friction_) {
-    for (int i = 0; i < parts_.disc.count(); ++i) torque[i] *= inverse_inertia_[i];
-  }
+  if (!friction_) return;
+  double* turning = dydt.data() + 4 * bodies_;
+  for (int i = 0; i < parts_.disc.count(); ++i) turning[i] = disc_load_[i].torque * inverse_inertia_[i];
 }
 
 void System::add_link_forces(double* work) const {
@@ -203,7 +221,7 @@ void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
       work[plate_work] += c.force_x(k) * at.vx + c.force_y(k) * at.vy;
     }
     if (!friction_) continue;
-    const bool held = search_.candidates[c.kind].slot[c.candidate[k]] >= 0;
+    const bool held = c.slot[k] >= 0;
     const double stored = held ? c.shear_stiffness[k] * c.spring[k] * c.slip[k] : 0;
     const double lost = -c.tangential[k] * c.slip[k] - stored;
     const double stick = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];

@@ -8,14 +8,15 @@
 //   ledger        energies handed over since t = 0, only if asked for        J
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "methods/ode.h"
+#include "system/kernel.h"
 #include "system/parts.h"
 #include "system/search.h"
-#include "system/touches.h"
 
 namespace furrow {
 
@@ -48,7 +49,10 @@ class System : public OdeSystem {
   JumpReport jump(double t, State& y);
 
   // While a scene is prepared its plates stand still and its links do not tear.
-  void prepare(bool preparing) { preparing_ = preparing; }
+  void prepare(bool preparing) {
+    preparing_ = preparing;
+    known_.clear();
+  }
 
   const Parts& parts() const { return parts_; }
   const NeighbourSearch& search() const { return search_; }
@@ -65,7 +69,7 @@ class System : public OdeSystem {
   int vy_of(int body) const { return 3 * bodies_ + body; }
   int spin_of(int disc) const { return 4 * bodies_ + disc; }
   int first_spring() const { return springs_; }
-  int spring_count() const { return slots_; }
+  int spring_count() const { return spring_count_; }
   int ledger_of(Ledger entry) const { return ledger_ + entry; }
 
   struct PlateAt {
@@ -87,58 +91,79 @@ class System : public OdeSystem {
   std::uint64_t state_hash(const State& y) const;
 
  private:
+  // Slots for tangential springs that no contact holds; the last one is taken next.
+  struct Slots {
+    std::vector<int> unused;
+    Nearness nearness;
+
+    void take_changed(Candidates& list);
+    void take_or_give_back(Candidates& list, int candidate);
+    void see(Candidates& list, int candidate, bool near);
+  };
+
   void place_nodes(const State& y) const;
   Placement placement(double t, const State& y) const;
-  void take_candidate(TouchBlock& block, int at, const Candidates& list, int candidate, const State& y) const;
-  void fill_discs(TouchBlock& block, int& next, const State& y) const;
-  void fill_flat(TouchBlock& block, int& next, ContactKind kind, double t, const State& y) const;
-  void evaluate(TouchBlock& block) const;
+  void pack_discs(const State& y) const;
+  template <class Sink>
+  void for_each_block(double t, const State& y, Slots* slots, Sink&& sink) const;
+  void fill(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
+  void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
+  void begin_rates(const State& y, State& dydt) const;
+  void add_contacts(const TouchBlock& block, double t, State& dydt) const;
+  void finish_rates(State& dydt) const;
   void add_link_forces(double* work) const;
   void add_to_ledger(const TouchBlock& block, double* work, double t) const;
-  void arm_contacts(double t, const State& y);
-  void return_to_coulomb_limit(double t, State& y, JumpReport& report);
+  void return_springs(double t, State& y, JumpReport& report);
   double lattice_contact_energy(double t, const State& y) const;
   void tear_links(double t, State& y, JumpReport& report);
 
+  const Kernel* kernel_ = &kernel();
   Parts parts_;
   double gravity_ = 0;
   double lever_ = 1;  // 1: arm to the contact point, 0: whole radius
   double rolling_smoothing_ = 0;
   bool friction_ = false, rolling_ = false, keeps_ledger_ = false, preparing_ = false;
-  int bodies_ = 0, springs_ = 0, slots_ = 0, ledger_ = 0;
+  int bodies_ = 0, springs_ = 0, spring_count_ = 0, ledger_ = 0;
   std::vector<double> inverse_mass_, inverse_inertia_, weight_;  // by body
 
   std::vector<Disc> disc_start_;
   std::vector<char> torn_;
-  std::vector<int> intact_;      // links, ascending
-  std::vector<int> free_slots_;  // last one is taken next
+  std::vector<int> intact_;  // links, ascending
+  Slots slots_;
   std::vector<double> relaxed_;  // room for the springs of a jump
 
   // Caches: they hold nothing that a result depends on.
   mutable NeighbourSearch search_;
   mutable Nodes nodes_;
   mutable std::vector<double> node_fx_, node_fy_;
+  mutable std::vector<PackedDisc> packed_;
+  mutable std::vector<DiscLoad> disc_load_;
   mutable TouchBlock block_;
+  double known_time_ = 0;
+  State known_, known_rates_;  // the flow at the state that the last jump left; empty: not known
 };
 
 template <class Sink>
-void System::for_each_touch(double t, const State& y, Sink&& sink) const {
+void System::for_each_block(double t, const State& y, Slots* slots, Sink&& sink) const {
   place_nodes(y);
   search_.update(parts_, placement(t, y));
+  pack_discs(y);
+  const ContactModel model{parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
   for (int kind = 0; kind < contact_kinds; ++kind) {
-    for (int next = 0; next < search_.candidates[kind].count();) {
-      const auto k = static_cast<ContactKind>(kind);
-      if (kind == disc_disc) {
-        fill_discs(block_, next, y);
-      } else {
-        fill_flat(block_, next, k, t, y);
-      }
+    const int count = search_.candidates[kind].count();
+    for (int first = 0; first < count; first += TouchBlock::capacity) {
+      fill(static_cast<ContactKind>(kind), first, std::min(count, first + TouchBlock::capacity), t, y, slots);
       if (block_.count == 0) continue;
-      evaluate(block_);
+      kernel_->evaluate(block_, model, slots != nullptr);
       sink(static_cast<const TouchBlock&>(block_));
     }
   }
+}
+
+template <class Sink>
+void System::for_each_touch(double t, const State& y, Sink&& sink) const {
+  for_each_block(t, y, nullptr, sink);
 }
 
 }  // namespace furrow

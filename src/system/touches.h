@@ -10,29 +10,39 @@
 namespace furrow {
 
 struct TouchBlock {
-  static constexpr int capacity = 128;
-  using Numbers = std::array<double, capacity>;
-  using Indices = std::array<int, capacity>;
+  static constexpr int capacity = 128;  // a multiple of `lanes`
+  static constexpr int lanes = 8;       // of the widest vectors: loops run to the next multiple, their ends are unused
+  template <class T>
+  using Lanes = std::array<T, capacity>;
+
+  // Of two discs: differences b - a of position (m), a - b of velocity (m/s); spin (rad/s) and radius (m) of each.
+  struct DiscPair {
+    double dx, dy, vx, vy, spin_a, radius_a, spin_b, radius_b;
+  };
 
   ContactKind kind = disc_disc;
   int count = 0;
-  Indices candidate, a, b, law;
-  Indices segment;                         // disc-lattice: index into Parts::border
-  alignas(64) Numbers share;               // disc-lattice: 0 at node a of the segment, 1 at node b
-  alignas(64) Numbers nx, ny;              // unit vector from a to b
-  alignas(64) Numbers overlap;             // m
-  alignas(64) Numbers vx, vy;              // m/s, velocity of a against b at the contact, without spins
-  alignas(64) Numbers spin_a, spin_b;      // rad/s
-  alignas(64) Numbers radius_a, radius_b;  // m
-  alignas(64) Numbers arm_a, arm_b;        // m, from the centre to the contact point
-  alignas(64) Numbers reduced_radius, reduced_mass, spring;
-  alignas(64) Numbers approach, slip;  // m/s
-  // results, see TouchForce
-  alignas(64) Numbers elastic, normal, tangential, moment, stiffness, shear_stiffness, shear_viscosity;
+  Lanes<int> candidate{}, a{}, b{}, law{};
+  Lanes<int> slot{};                                 // of the tangential spring; -1: none
+  Lanes<int> segment{};                              // disc-lattice: index into Parts::border
+  alignas(64) Lanes<DiscPair> pair{};                // disc-disc: what the geometry below is made from
+  alignas(64) Lanes<double> share{};                 // disc-lattice: 0 at node a of the segment, 1 at node b
+  alignas(64) Lanes<double> nx{}, ny{};              // unit vector from a to b
+  alignas(64) Lanes<double> overlap{};               // m
+  alignas(64) Lanes<double> vx{}, vy{};              // m/s, velocity of a against b at the contact, without spins
+  alignas(64) Lanes<double> spin_a{}, spin_b{};      // rad/s
+  alignas(64) Lanes<double> radius_a{}, radius_b{};  // m
+  alignas(64) Lanes<double> arm_a{}, arm_b{};        // m, from the centre to the contact point
+  alignas(64) Lanes<double> reduced_radius{}, reduced_mass{}, spring{};
+  alignas(64) Lanes<double> approach{}, slip{};  // m/s
+  // Results: of the law, see TouchForce; on a: force, N, -Fn n + Ft t with the tangent t = (-ny, nx); on a and b:
+  // torque, N m.
+  alignas(64) Lanes<double> elastic{}, normal{}, tangential{}, moment{};
+  alignas(64) Lanes<double> stiffness{}, shear_stiffness{}, shear_viscosity{};
+  alignas(64) Lanes<double> fx{}, fy{}, torque_a{}, torque_b{};
 
-  // Force on a: -Fn n + Ft t, with the tangent t = (-ny, nx).
-  double force_x(int k) const { return -normal[k] * nx[k] - tangential[k] * ny[k]; }
-  double force_y(int k) const { return -normal[k] * ny[k] + tangential[k] * nx[k]; }
+  double force_x(int k) const { return fx[k]; }
+  double force_y(int k) const { return fy[k]; }
 };
 
 // J, in the normal and the tangential spring of contact k.

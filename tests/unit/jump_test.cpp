@@ -48,6 +48,23 @@ TEST(TangentialSpring, IsBornBeforeTheTouch) {
   EXPECT_EQ(d.spring(), 0);
 }
 
+// A jump keeps the rates of the state that it leaves. They must be those of an evaluation, sliding contacts included,
+// and go unused for any other state or time.
+TEST(Jump, LeavesTheRatesOfItsState) {
+  DiscOnFloor d;
+  d.jump_at_gap(-0.01);
+  d.spring() = 0.5;
+  d.y[d.system.vx_of(0)] = 0.3;
+  d.jump_at_gap(-0.01);
+  const State kept = rates(d.system, d.t, d.y);
+  System other = d.system;
+  other.prepare(false);  // forgets them
+  EXPECT_EQ(kept, rates(other, d.t, d.y));
+  d.y[d.system.vx_of(0)] = 0.2;
+  EXPECT_NE(kept, rates(d.system, d.t, d.y));
+  EXPECT_EQ(rates(other, d.t, d.y), rates(d.system, d.t, d.y));
+}
+
 TEST(TangentialSpring, WindsOnlyWhileTouching) {
   DiscOnFloor d;
   d.jump_at_gap(0.005);
