@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <sstream>
 
+#include "system/locate.h"
+
 namespace furrow {
 namespace {
 
@@ -56,7 +58,10 @@ class Watch {
 
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
   const Watch watch(system);
-  RunEnd end{Ending::finished, {}, plan.start, 0};
+  RunEnd end{Ending::finished, {}, plan.start, 0, 0};
+  const bool fixed = !method.info().controlled;
+  long grid = 0;          // fixed steps are counted, not summed: t = start + n h has no drift
+  bool off_grid = false;  // a tear was located between two of them
   const double tiny = 1e-9 * plan.step;
   State before = y;
   try {
@@ -64,19 +69,23 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
     while (end.ending == Ending::finished && end.time < plan.end - tiny) {
       before = y;
-      // Fixed steps are counted, not summed: t = start + n h has no drift.
-      double next = plan.start + static_cast<double>(end.steps + 1) * plan.step;
-      if (method.info().controlled) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
+      double next = plan.start + static_cast<double>(grid + 1) * plan.step;
+      if (!fixed) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
       if (next > plan.end - tiny) next = plan.end;
-      const bool regular = !method.info().controlled && next != plan.end;
+      const bool regular = fixed && !off_grid && next != plan.end;
       const double taken = method.step(system, end.time, y, regular ? plan.step : next - end.time);
       const std::string complaint = watch.complaint(before, y, taken);
       if (!complaint.empty()) throw Divergence(complaint);
-      const double reached = taken == next - end.time || regular ? next : end.time + taken;
+      const double full = taken == next - end.time || regular ? next : end.time + taken;
+      const double reached = plan.locate_tears ? go_back_to_first_tear(system, end.time, before, full, y) : full;
+      const bool rest_of_step = off_grid;
+      off_grid = fixed && reached != full;
+      if (!off_grid) ++grid;
+      if (reached != full) ++end.located;
       report = system.jump(reached, y);
       end.time = reached;
       ++end.steps;
-      if (report.flow_jumped()) {
+      if (report.flow_jumped() || rest_of_step) {
         method.restart();
       } else if (report.springs_changed) {
         method.state_changed();
