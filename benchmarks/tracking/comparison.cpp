@@ -1,0 +1,97 @@
+#include "tracking/comparison.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "measuring/samples.h"
+#include "output/machine.h"
+
+namespace furrow::tracking {
+namespace {
+
+using measuring::Interval;
+
+constexpr int repetitions = 5;  // in one process; their least is the sample: noise only ever adds
+
+struct Samples {
+  std::vector<double> now, base, again;  // s, round by round
+  Json said_now, said_base;
+};
+
+double least(const Json& said) {
+  const auto all = said.at("cpu_seconds").get<std::vector<double>>();
+  return *std::min_element(all.begin(), all.end());
+}
+
+Samples sample(const Build& build, const Build& base, const std::string& kernel, int rounds) {
+  Samples s;
+  for (int round = 0; round < rounds; ++round) {
+    s.said_base = timed(base, kernel, repetitions);
+    s.base.push_back(least(s.said_base));
+    s.said_now = timed(build, kernel, repetitions);
+    s.now.push_back(least(s.said_now));
+    s.again.push_back(least(timed(base, kernel, repetitions)));
+  }
+  return s;
+}
+
+Json rounded(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(measuring::rounded(value));
+  return list;
+}
+
+Json result_of(const Samples& s, const Json& now, const Json& base) {
+  Json json{{"cpu_seconds", rounded(s.now)},
+            {"base_cpu_seconds", rounded(s.base)},
+            {"instructions", now.at("instructions")},
+            {"base_instructions", base.at("instructions")},
+            {"answer", now.at("answer")},
+            {"error", s.said_now.at("error")}};
+  if (now.at("answer") != base.at("answer")) {
+    json["verdict"] = "another answer";
+    return json;
+  }
+  const Interval ratio = measuring::median_interval(measuring::ratios(s.now, s.base));
+  const double noise = measuring::noise_floor(measuring::median_interval(measuring::ratios(s.again, s.base)));
+  json["ratio"] = rounded({ratio.low, ratio.middle, ratio.high});
+  json["noise"] = measuring::rounded(noise);
+  json["verdict"] = measuring::verdict(ratio, noise);
+  return json;
+}
+
+void show(const std::string& name, const Json& result) {
+  std::fprintf(stderr, "%-20s ", name.c_str());
+  if (result.contains("ratio")) {
+    const auto ratio = result["ratio"].get<std::vector<double>>();
+    std::fprintf(stderr, "%6.3f [%5.3f, %5.3f]  noise %5.1f %%  ", ratio[1], ratio[0], ratio[2],
+                 100 * result["noise"].get<double>());
+  } else {
+    std::fprintf(stderr, "%39s", "");
+  }
+  const double change = result["instructions"].get<double>() / result["base_instructions"].get<double>() - 1;
+  std::fprintf(stderr, "instructions %+7.2f %%  %s\n", 100 * change, result["verdict"].get<std::string>().c_str());
+}
+
+}  // namespace
+
+int compare(const Build& build, const Build& base, int rounds) {
+  make_beds(build);
+  const Json now = counted(build), before = counted(base);
+  Json line{{"machine", processor_name()},
+            {"compiler", now.front().at("compiler")},
+            {"flags", now.front().at("flags")},
+            {"kernels", Json::object()}};
+  std::fprintf(stderr, "CPU time, new over base: median and its 95 %% interval over %d rounds\n", rounds);
+  bool same_answers = true;
+  for (const std::string& name : kernel_names(build)) {
+    const Json result = result_of(sample(build, base, name, rounds), now.at(name), before.at(name));
+    same_answers = same_answers && result.contains("ratio");
+    show(name, result);
+    line["kernels"][name] = result;
+  }
+  std::printf("%s\n", line.dump().c_str());
+  return same_answers ? 0 : 1;
+}
+
+}  // namespace furrow::tracking

@@ -1,0 +1,33 @@
+// What the kernels take: instructions, counted by callgrind, and CPU seconds.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace furrow::tracking {
+
+using Json = nlohmann::ordered_json;
+
+// One build of track_kernels and the beds that it starts from.
+struct Build {
+  std::filesystem::path program, beds;
+};
+
+void make_beds(const Build& build);
+std::vector<std::string> kernel_names(const Build& build);
+
+// What `track_kernels run` says.
+Json timed(const Build& build, const std::string& kernel, int repetitions);
+
+// The same without times, and with "instructions".
+Json counted(const Build& build, const std::string& kernel);
+
+// All kernels, two at a time.
+Json counted(const Build& build);
+
+// What else the counts depend on: compiler, flags, C library, valgrind, vector width.
+std::string identity(const Json& said_by_kernel);
+
+}  // namespace furrow::tracking
