@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scene/read.h"
+#include "studies/study.h"
 #include "system/run.h"
 
 namespace furrow::studies {
@@ -55,9 +55,7 @@ Case with_bed(const std::string& name, double start, double interval, int sample
 
 }  // namespace
 
-Scene scene_file(const std::string& name) {
-  return read_scene(std::filesystem::path(FURROW_SOURCE_DIR) / "validation/scenes" / (name + ".toml"));
-}
+Scene scene_file(const std::string& name) { return scene_named(name); }
 
 const std::vector<CaseInfo>& cases() {
   static const std::vector<CaseInfo> all{

@@ -41,4 +41,10 @@ struct StudyOptions {
 };
 int study_command(const StudyOptions& options);
 
+struct GoldenRequest {
+  std::string directory = "reference_data/golden", reason;
+  bool quick = false, remake = false;
+};
+int golden_command(const GoldenRequest& request);
+
 }  // namespace furrow

@@ -88,6 +88,13 @@ int parse_and_run(int argc, char** argv) {
   study->add_flag("--quick", studied.quick, "the short form");
   study->add_option("--jobs", studied.jobs, "runs at a time (default: one a processor)")->check(CLI::PositiveNumber);
 
+  GoldenRequest asked;
+  auto* golden = app.add_subcommand("golden", "run the paper's scenes and compare them to the bit with earlier runs");
+  golden->add_option("--goldens", asked.directory, "directory of the golden outputs")->capture_default_str();
+  golden->add_flag("--quick", asked.quick, "scene 1 whole, the others for 0.1 s");
+  golden->add_flag("--remake", asked.remake, "write those that differ anew");
+  golden->add_option("--reason", asked.reason, "why they are made anew");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -97,6 +104,7 @@ int parse_and_run(int argc, char** argv) {
   if (*check) return check_command(scenes);
   if (*explain) return explain_command(options);
   if (*methods) return methods_command();
+  if (*golden) return golden_command(asked);
   if (*study) return study_command(studied);
   return report_command(reported);
 }

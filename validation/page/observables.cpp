@@ -331,7 +331,12 @@ Publication read_publication(std::string_view text) {
       }
       if (s.words.empty()) s.value = entry["value"].value_or(nan);
       s.label = entry["label"].value_or(number(s.value) + " " + s.unit);
-      if (entry["window"].is_array()) s.window = {entry["window"][0].value_or(nan), entry["window"][1].value_or(nan)};
+      const auto pair = [&](const char* key) -> std::optional<Window> {
+        if (!entry[key].is_array()) return std::nullopt;
+        return Window{entry[key][0].value_or(nan), entry[key][1].value_or(nan)};
+      };
+      s.window = pair("window");
+      s.holds = pair("holds");
       if (s.id.empty() || (s.words.empty() && std::isnan(s.value))) {
         throw std::runtime_error("paper.toml: statement " + std::to_string(k + 1) + " has no id or no value");
       }

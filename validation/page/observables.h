@@ -61,6 +61,7 @@ struct Statement {
   std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words;
   double value = std::numeric_limits<double>::quiet_NaN();  // NaN: the paper says it in `words`
   std::optional<std::array<double, 2>> window;              // mm
+  std::optional<std::array<double, 2>> holds;               // of the observable, where the paper says it in words
 };
 
 struct Publication {

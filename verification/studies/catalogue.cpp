@@ -5,6 +5,9 @@ namespace furrow::studies {
 const std::vector<Study>& catalogue() {
   static const std::vector<Study> all{
       {"work_precision", "error against evaluations and CPU time, every method on every scene", work_precision},
+      {"geometry", "which lattice and plate come closest to the paper's first scene", geometry},
+      {"convergence", "which of the paper's numbers do not depend on the time step", convergence},
+      {"ensemble", "the paper's numbers over many packings of the bed", ensemble},
   };
   return all;
 }

@@ -6,5 +6,8 @@
 namespace furrow::studies {
 
 Json work_precision(const Settings& settings);
+Json geometry(const Settings& settings);
+Json convergence(const Settings& settings);
+Json ensemble(const Settings& settings);
 
 }  // namespace furrow::studies

@@ -11,6 +11,8 @@
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/machine.h"
+#include "page/embedded.h"
+#include "scene/read.h"
 #include "system/prepare.h"
 
 namespace furrow::studies {
@@ -61,6 +63,11 @@ class Kept {
 };
 
 }  // namespace
+
+Scene scene_named(const std::string& name) {
+  const std::string file = "validation/scenes/" + name + ".toml";
+  return parse_scene(embedded(file), file);
+}
 
 std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks) {
   Kept kept(study, settings.directory);

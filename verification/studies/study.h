@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene/scene.h"
+
 namespace furrow::studies {
 
 using Json = nlohmann::ordered_json;
@@ -19,6 +21,9 @@ struct Settings {
   unsigned jobs = 1;                               // runs at a time; 1 where time is measured
   std::function<bool(double, double)> progress{};  // (runs done, of all); false stops the study
 };
+
+// The scene of that name in validation/scenes, wherever the program stands.
+Scene scene_named(const std::string& name);
 
 // One run of a study. `key` names it among all runs of the study, its settings included; `run` must not depend on any
 // other run. What `run` throws becomes {"failed": what}: failure of a method is a result.

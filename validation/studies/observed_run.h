@@ -1,0 +1,24 @@
+// A scene run without files, as the record that the page's observables are computed from.
+#pragma once
+
+#include "page/observables.h"
+#include "system/prepare.h"
+
+namespace furrow::studies {
+
+// From a scene made ready to scene.time.end, by scene.time's method and step; the force every scene.output.interval.
+// A run that diverges keeps what it has: fact "ended" is then "diverged", fact "reason" says why.
+RunRecord observed_run(Prepared prepared, const Timing& time);
+
+// The named observables of the paper's statements about `scene` ("scenario_1" ...), in the order of paper.toml; NaN
+// where the run does not say, or says it in words.
+struct Reported {
+  std::string id;
+  Measured ours;
+};
+std::vector<Reported> reported(const RunRecord& run, const Publication& paper, const std::string& scene);
+
+// reference_data/published/paper.toml.
+const Publication& the_paper();
+
+}  // namespace furrow::studies
