@@ -147,14 +147,14 @@ std::vector<Json> row_of(const std::string& name, const Tried& t) {
                         1e3 * t.setting.contact_radius,
                         t.setting.full_damper ? "full" : "axial",
                         t.setting.magnitude ? "magnitude" : "tension"};
-  for (const Target& target : targets()) row.push_back(t.got.at(target.id));
-  row.push_back(t.got.at("misfit"));
+  for (const Target& target : targets()) row.emplace_back(t.got.at(target.id));
+  row.emplace_back(t.got.at("misfit"));
   return row;
 }
 
 std::vector<std::string> headings() {
   std::vector<std::string> head{"setting", "spacing [mm]", "depth [mm]", "R* of a node [mm]", "damper", "tear rule"};
-  for (const Target& target : targets()) head.push_back(target.quantity);
+  for (const Target& target : targets()) head.emplace_back(target.quantity);
   head.emplace_back("misfit");
   return head;
 }
@@ -162,8 +162,8 @@ std::vector<std::string> headings() {
 std::vector<Json> row_of_the_paper() {
   std::vector<Json> row{"the paper", "not given",         "40, of scenes 2 and 3",
                         "not given", "in its text axial", "not said"};
-  for (const Target& target : targets()) row.push_back(target.want);
-  row.push_back(0);
+  for (const Target& target : targets()) row.emplace_back(target.want);
+  row.emplace_back(0);
   return row;
 }
 

@@ -184,6 +184,7 @@ int check_goldens(const GoldenOptions& options) {
     if (options.remake && !same && !results[k].contains("failed")) {
       fs::create_directories(options.directory);
       write_golden(file, results[k], old, options.reason);
+      options.say(runs[k].name() + ": made anew");
     } else {
       different += same ? 0 : 1;
     }
