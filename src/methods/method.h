@@ -1,6 +1,7 @@
 // An integration method as the rest of furrow sees it, and the catalogue of methods by name.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,7 +16,13 @@ struct MethodInfo {
   int order = 0;        // for a smooth right-hand side
   int evaluations = 0;  // of f a step, started and without rejections
   bool controlled = false;
+  std::string family = "own";
+  bool conservative = false;    // carries only systems without forces that depend on velocity
+  bool dense_jacobian = false;  // takes one by differences: as many evaluations more as the state has numbers
 };
+
+// Why the method cannot carry the system, and what to do; empty if it can.
+std::string refusal(const MethodInfo& method, const OdeSystem& system);
 
 struct Tolerances {
   double relative = 1e-6;
@@ -62,7 +69,12 @@ const std::vector<MethodInfo>& method_catalogue();
 // Throws std::invalid_argument that lists the names, the nearest one first, if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
-// The makers. Fixed-step methods take no notice of the tolerances.
+struct MethodEntry {
+  MethodInfo info;
+  std::function<std::unique_ptr<Method>(const Tolerances&)> make;
+};
+
+// The makers of the own ones. Fixed-step methods take no notice of the tolerances.
 std::unique_ptr<Method> make_pece(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_pec(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_pecece(const Tolerances& tolerances = {});
@@ -72,8 +84,5 @@ std::unique_ptr<Method> make_symplectic_euler(const Tolerances& tolerances = {})
 std::unique_ptr<Method> make_verlet(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_runge_kutta_chebyshev(const Tolerances& tolerances = {});
 std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_odeint_rk4(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_odeint_abm2(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_odeint_dopri5(const Tolerances& tolerances = {});
 
 }  // namespace furrow

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace furrow {
@@ -24,6 +25,9 @@ class OdeSystem {
 
   // How many of the leading numbers count in the error control of a controlled method.
   virtual std::size_t controlled() const { return size(); }
+
+  // Which forces depend on velocity, for a message; empty: none.
+  virtual std::string velocity_dependence() const { return {}; }
 
   // Pure: the same (t, y) gives the same bits, in whatever order it is called. dydt has the size of y already.
   virtual void rhs(double t, const State& y, State& dydt) const = 0;

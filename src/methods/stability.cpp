@@ -52,6 +52,7 @@ double largest_stable_step(const std::string& name, const Oscillator& o) {
   if (make_method(name)->info().controlled || o.omega == 0) return std::numeric_limits<double>::infinity();
   double stable = 0;
   double unstable = 10;  // times 1/omega: above the limit of every explicit method here
+  if (!grows(name, o.zeta, unstable)) return std::numeric_limits<double>::infinity();
   while (unstable - stable > 5e-4 * unstable) {
     const double middle = stable > 0 ? 0.5 * (stable + unstable) : 0.1 * unstable;
     (grows(name, o.zeta, middle) ? unstable : stable) = middle;

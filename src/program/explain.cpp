@@ -70,13 +70,6 @@ void print_left_out(const Scene& scene, const System& system) {
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
 }
 
-// To count parts: plates at a working depth stand anywhere.
-Scene without_settling(Scene scene) {
-  scene.settle.reset();
-  for (Plate& p : scene.plate) p.lower_edge = p.lower_edge.value_or(0);
-  return scene;
-}
-
 double characteristic_speed(const Scene& scene) {
   double speed = 0;
   for (const Plate& p : scene.plate) speed = std::max(speed, std::hypot(p.velocity.x, p.velocity.y));
@@ -148,10 +141,11 @@ void print_step(const Timing& time, const Prepared& prepared) {
        part.spins ? ", its fastest motion a spin" : "");
   line("", "omega = %.4g rad/s, damping ratio %.4g", part.oscillator.omega, part.oscillator.zeta);
   for (const MethodInfo& m : method_catalogue()) {
+    if (m.family != "own" && m.name != time.method) continue;
     const double limit = largest_stable_step(m.name, part.oscillator);
     const char* chosen = m.name == time.method ? "   <- the scene's method" : "";
     if (std::isinf(limit))
-      line(m.name, "chooses its own step%s", chosen);
+      line(m.name, "%s%s", m.controlled ? "chooses its own step" : "stable at any step", chosen);
     else
       line(m.name, "%.3g s; %.3g s when all neighbours move against it%s", limit, limit / 2, chosen);
   }
@@ -166,11 +160,11 @@ int explain_command(const RunOptions& options) {
   const Scene scene = requested_scene(options);
   Progress progress;
   std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
-  const System unsettled = prepare(without_settling(scene)).system;
-  print_modelled(scene, unsettled);
-  print_left_out(scene, unsettled);
-  print_contacts(scene, unsettled);
-  print_smallest_disc(scene, unsettled.parts());
+  const System system = unsettled(scene);
+  print_modelled(scene, system);
+  print_left_out(scene, system);
+  print_contacts(scene, system);
+  print_smallest_disc(scene, system.parts());
   std::fflush(stdout);
   const Prepared prepared = prepare(
       scene, [&](double t, double) { return progress.show(options.scene, "settling", t, scene.settle->limit); });

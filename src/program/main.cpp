@@ -37,9 +37,16 @@ int methods_command() {
   for (const MethodInfo& m : method_catalogue()) widest = std::max(widest, m.name.size());
   const int width = static_cast<int>(widest);
   std::printf("%-*s  order  f a step  step        what\n", width, "name");
+  std::string family = "own";
   for (const MethodInfo& m : method_catalogue()) {
-    std::printf("%-*s  %5d  %8d  %-10s  %s\n", width, m.name.c_str(), m.order, m.evaluations,
-                m.controlled ? "controlled" : "fixed", m.title.c_str());
+    if (m.family != family) std::printf("\nBoost.Odeint\n");
+    family = m.family;
+    const std::string evaluations =
+        m.evaluations == 0 ? "varies" : std::to_string(m.evaluations) + (m.dense_jacobian ? " + n" : "");
+    std::printf("%-*s  %5d  %8s  %-10s  %s%s%s\n", width, m.name.c_str(), m.order, evaluations.c_str(),
+                m.controlled ? "controlled" : "fixed", m.title.c_str(),
+                m.conservative ? "; no forces that depend on velocity" : "",
+                m.dense_jacobian ? "; n numbers of state, at most 200" : "");
   }
   return good;
 }

@@ -13,6 +13,7 @@
 #include "program/commands.h"
 #include "program/progress.h"
 #include "scene/read.h"
+#include "system/prepare.h"
 
 namespace furrow {
 namespace {
@@ -78,7 +79,10 @@ Scene requested_scene(const RunOptions& options) {
     scene.time.end = *options.until;
     std::erase_if(scene.output.frames, [&](double t) { return t > scene.time.end; });
   }
-  make_method(scene.time.method);  // throws if there is none of that name
+  const MethodInfo method = make_method(scene.time.method)->info();  // throws if there is none of that name
+  if (method.conservative || method.dense_jacobian) {                // the others carry every scene
+    if (const std::string why = refusal(method, unsettled(scene)); !why.empty()) throw std::invalid_argument(why);
+  }
   if (scene.time.step > scene.time.end) throw std::invalid_argument("the step is longer than the run");
   return scene;
 }

@@ -61,6 +61,12 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
 
 }  // namespace
 
+System unsettled(Scene scene) {
+  scene.settle.reset();
+  for (Plate& p : scene.plate) p.lower_edge = p.lower_edge.value_or(0);
+  return System(place_packings(scene));
+}
+
 Prepared prepare(const Scene& scene, const SettleProgress& progress) {
   Scene ready = scene;
   if (!scene.settle) {

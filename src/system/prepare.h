@@ -24,6 +24,9 @@ struct Prepared {
 using SettleProgress = std::function<bool(double t, double speed)>;
 Prepared prepare(const Scene& scene, const SettleProgress& progress = {});
 
+// The parts alone, to count and examine them: nothing has settled, plates at a working depth stand anywhere.
+System unsettled(Scene scene);
+
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

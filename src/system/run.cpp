@@ -57,6 +57,7 @@ class Watch {
 }  // namespace
 
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
+  if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
   const Watch watch(system);
   RunEnd end{Ending::finished, {}, plan.start, 0, 0};
   const bool fixed = !method.info().controlled;

@@ -31,7 +31,7 @@ struct RunPlan {
 using AfterStep = std::function<bool(double t, const State& y, const JumpReport& jump)>;
 
 // y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more
-// than its own size in one step, or the method gave up.
+// than its own size in one step, or the method gave up. Throws std::invalid_argument if the method cannot carry it.
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step);
 
 }  // namespace furrow

@@ -233,6 +233,24 @@ void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
   }
 }
 
+std::string System::velocity_dependence() const {
+  std::string what;
+  const auto add = [&what](bool depends, const std::string& name) {
+    if (depends) what += (what.empty() ? "" : ", ") + name;
+  };
+  const bool touchable = parts_.disc.count() > 0 || !parts_.wall.empty() || !parts_.plate.empty();
+  const auto damped = [](const ContactLaw& law) { return law.viscosity > 0; };
+  add(touchable && std::any_of(parts_.law.begin(), parts_.law.end(), damped), "damping of contacts");
+  add(touchable && friction_, "friction of contacts");
+  for (std::size_t k = 0; k < parts_.lattice.size(); ++k) {
+    bool any = false;
+    for (int link = 0; link < parts_.link.count(); ++link)
+      any = any || (parts_.link.damping[link] > 0 && parts_.node.lattice[parts_.link.a[link]] == static_cast<int>(k));
+    add(any, "damping of the links of lattice " + parts_.lattice[k].name);
+  }
+  return what;
+}
+
 std::uint64_t System::state_hash(const State& y) const {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   const auto add = [&hash](std::uint64_t word) {

@@ -43,6 +43,7 @@ class System : public OdeSystem {
   std::size_t size() const override { return static_cast<std::size_t>(ledger_ + (keeps_ledger_ ? ledger_entries : 0)); }
   std::size_t positions() const override { return 2 * static_cast<std::size_t>(bodies_); }
   std::size_t controlled() const override { return static_cast<std::size_t>(ledger_); }
+  std::string velocity_dependence() const override;
   void rhs(double t, const State& y, State& dydt) const override;
 
   State initial_state() const;

@@ -136,7 +136,18 @@ TEST_F(Program, CheckGoesOnAfterABadFile) {
 TEST_F(Program, UnknownMethodListsTheKnownOnes) {
   const Result r = furrow("run " + scene("scenario_1") + " --method eluer");
   EXPECT_EQ(r.code, 2);
-  EXPECT_NE(r.err.find("pece, verlet, rk4, odeint_rk4"), std::string::npos) << r.err;
+  for (const char* name : {" pece,", " rk4,", " odeint_rk4,"}) EXPECT_NE(r.err.find(name), std::string::npos) << r.err;
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Program, AMethodThatCannotCarryTheSceneSaysWhyAndWritesNothing) {
+  const Result damped = furrow("run " + scene("scenario_1") + " --method odeint_symplectic_euler");
+  EXPECT_EQ(damped.code, 2);
+  EXPECT_NE(damped.err.find("depend on velocity"), std::string::npos) << damped.err;
+  EXPECT_NE(damped.err.find("links of lattice stem"), std::string::npos) << damped.err;
+  const Result large = furrow("run " + scene("scenario_2") + " --method odeint_rosenbrock4");
+  EXPECT_EQ(large.code, 2);
+  EXPECT_NE(large.err.find("at most 200"), std::string::npos) << large.err;
   EXPECT_TRUE(files().empty());
 }
 

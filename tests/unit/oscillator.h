@@ -12,6 +12,7 @@ struct Oscillator final : OdeSystem {
   Oscillator(double w, double zeta) : frequency(w), ratio(zeta) {}
   std::size_t size() const override { return 2; }
   std::size_t positions() const override { return 1; }
+  std::string velocity_dependence() const override { return ratio > 0 ? "the damper" : ""; }
   void rhs(double /*t*/, const State& y, State& dydt) const override {
     ++calls;
     dydt[0] = y[1];
