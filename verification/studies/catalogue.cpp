@@ -8,6 +8,7 @@ const std::vector<Study>& catalogue() {
       {"geometry", "which lattice and plate come closest to the paper's first scene", geometry},
       {"convergence", "which of the paper's numbers do not depend on the time step", convergence},
       {"ensemble", "the paper's numbers over many packings of the bed", ensemble},
+      {"order", "observed order of each method on each kind of force", order},
   };
   return all;
 }

@@ -1,0 +1,227 @@
+// The order of every method of the catalogue on every kind of force: observed against predicted.
+//
+//   observed    slope of log(error) over log(step), error: root of the mean square over runs whose events fall at
+//               different places within a step; with the standard error of the fit (studies/order_observed.h)
+//   predicted   min(p, a + 1), where the force at an event starts as (t - t0)^a (studies/order_predicted.h)
+//
+// The quick form of `furrow study order`. Sources: closed forms; two unrelated integrations where there are none.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "studies/order_hertz.h"
+#include "studies/order_observed.h"
+#include "studies/order_predicted.h"
+#include "studies/order_trends.h"
+#include "system/system.h"
+#include "verification/check.h"
+#include "verification/damped_hertz.h"
+
+namespace furrow::verification {
+namespace {
+
+using studies::Point;
+using studies::Problem;
+using studies::Slope;
+
+void expect_orders(const std::string& name) {
+  const Problem& p = studies::problem(name);
+  for (const MethodInfo& method : method_catalogue()) {
+    if (method.controlled || !studies::applies(method, p)) continue;
+    const auto v = studies::verdict(method, p, studies::observe(method.name, p, studies::quick));
+    const auto near = [](const Slope& slope) {
+      return absolute(studies::tolerance_of(slope),
+                      "three standard errors of the fit, and 0.15 for the next power of the step");
+    };
+    const std::string what = method.name + ", " + p.title;
+    expect("order of the position, " + what, v.position.value, v.predicted->position, near(v.position));
+    if (v.predicted->at_least) {
+      expect_true("order of the speed after the rebound, " + what,
+                  v.velocity.value > v.predicted->velocity - studies::tolerance_of(v.velocity),
+                  "what is lost on the way in is regained on the way out: at least min(p + 1, a + 1) for even p");
+    } else {
+      expect("order of the velocity, " + what, v.velocity.value, v.predicted->velocity, near(v.velocity));
+    }
+  }
+}
+
+// By the classical Runge-Kutta method with 4000 steps. A first jump gives contacts their tangential springs.
+State integrated(OdeSystem& system, State y, double duration) {
+  constexpr int steps = 4000;
+  State room = y;
+  if (auto* scene = dynamic_cast<System*>(&system)) scene->jump(0, room);
+  const double h = duration / steps;
+  State k[4] = {y, y, y, y};
+  for (int n = 0; n < steps; ++n) {
+    for (int stage = 0; stage < 4; ++stage) {
+      const double reach = stage == 0 ? 0 : stage == 3 ? h : h / 2;
+      for (std::size_t i = 0; i < y.size(); ++i) room[i] = y[i] + (stage == 0 ? 0 : reach * k[stage - 1][i]);
+      system.rhs(0, room, k[stage]);
+    }
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h / 6 * (k[0][i] + 2 * (k[1][i] + k[2][i]) + k[3][i]);
+  }
+  return y;
+}
+
+// Between events, the solver's own right-hand side carries one exact state to another.
+struct Piece {
+  const char* problem;
+  double from, to;  // in the problem's unit of time
+};
+constexpr Piece pieces[] = {{"spring", 0, 6},
+                            {"damped_spring", 0, 6},
+                            {"lattice", 0, 4},
+                            {"tear", 0, 0.72},
+                            {"linear_contact", 0.3, 1.2},
+                            {"dashpot_contact", 0.3, 1.2},
+                            {"hertz", 0.5, 1.0},
+                            {"damped_hertz_inside", 0.5, 0.9},
+                            {"damped_hertz", 0.5, 1.0},
+                            {"stick_slip", 0, 0.67},
+                            {"stick_slip", 0.68, 1.92},
+                            {"stick_slip", 1.93, 2.7},
+                            {"sliding", 0.5, 1.0},
+                            {"sticking", 0.5, 0.9}};
+
+TEST(OrderCertificate, ReferencesAgreeWithASecondIntegration) {
+  requirement("order.reference");
+  const Tolerance round_off = absolute(
+      1e-12,
+      "rk4 at 4000 steps errs by less than 1e-13; round-off of 4000 sums at 0.1 m over lengths of 1 mm and more");
+  for (const Piece& piece : pieces) {
+    const Problem& p = studies::problem(piece.problem);
+    const auto system = p.system();
+    const double from = piece.from * p.unit, to = piece.to * p.unit;
+    const State want = p.state(to);
+    const State got = integrated(*system, p.state(from), to - from);
+    const std::size_t n = system->positions();
+    double position = 0, velocity = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      position = std::max(position, std::fabs(got[i] - want[i]) / p.length);
+      velocity = std::max(velocity, std::fabs(got[i + n] - want[i + n]) / p.speed);
+    }
+    const std::string what = ", " + p.title + ", from " + std::to_string(piece.from).substr(0, 4) + " units of time on";
+    expect("distance of the positions" + what, position, 0, round_off);
+    expect("distance of the velocities" + what, velocity, 0, round_off);
+  }
+}
+
+TEST(OrderCertificate, HertzReferenceAgreesFromTheTouchOn) {
+  requirement("order.reference");
+  for (const double beta : {0.0, 0.1}) {
+    const studies::HertzPath path(beta, true);
+    for (const double end : {0.5, 1.5, 2.5}) {
+      const auto [overlap, speed] = path.at(end);
+      const Motion motion = integrate_impact(beta, end, 4000);
+      const std::string what =
+          ", beta " + std::to_string(beta).substr(0, 3) + ", " + std::to_string(end).substr(0, 3) + " after the touch";
+      const Tolerance truncation = absolute(
+          1e-10, "rk4 with 4000 steps graded as the fourth power of time, whose first step sees a root: order 4 still");
+      expect("overlap" + what, static_cast<double>(overlap), static_cast<double>(motion.overlap), truncation);
+      expect("speed" + what, static_cast<double>(speed), static_cast<double>(motion.speed), truncation);
+    }
+  }
+}
+
+TEST(OrderCertificate, SmoothForcesShowTheMethodsOwnOrder) {
+  requirement("order.smooth");
+  for (const char* name : {"spring", "damped_spring", "lattice"}) expect_orders(name);
+}
+
+TEST(OrderCertificate, LinearContactsShowTheOrderOfTheirKink) {
+  requirement("order.contact");
+  for (const char* name : {"linear_contact", "dashpot_contact"}) expect_orders(name);
+}
+
+TEST(OrderCertificate, ElasticHertzContactsShowOrderFiveHalvesAtMost) {
+  requirement("order.contact");
+  for (const char* name : {"hertz_inside", "hertz"}) expect_orders(name);
+}
+
+TEST(OrderCertificate, DampedHertzContactsShowOrderFiveQuartersAtMost) {
+  requirement("order.contact");
+  for (const char* name : {"damped_hertz_inside", "damped_hertz"}) expect_orders(name);
+}
+
+TEST(OrderCertificate, FrictionShowsTheOrderOfItsKink) {
+  requirement("order.friction");
+  for (const char* name : {"stick_slip", "sliding", "sticking"}) expect_orders(name);
+}
+
+TEST(OrderCertificate, ATornLinkLeavesFirstOrder) {
+  requirement("order.tear");
+  expect_orders("tear");
+}
+
+TEST(OrderCertificate, ErrorsFollowTheTolerance) {
+  requirement("order.tolerance");
+  for (const MethodInfo& method : method_catalogue()) {
+    if (!method.controlled) continue;
+    for (const Problem& p : studies::problems()) {
+      if (!studies::applies(method, p)) continue;
+      const auto points = studies::observe(method.name, p, studies::quick);
+      const Slope s = studies::fitted(points, &Point::position, 99, &Point::tolerance);
+      const auto want = studies::predicted_exponents(method, p);
+      const std::string what = "exponent of the tolerance, " + method.name + ", " + p.title;
+      if (p.limit == studies::no_limit) {
+        expect(what, s.value, want.smooth,
+               absolute(studies::tolerance_of(s),
+                        "three standard errors, and 0.15: steps grow only when the estimate "
+                        "is below half of the tolerance"));
+      } else if (p.controller_sees_it) {
+        expect_true(what, s.value > want.with_event - studies::tolerance_of(s),
+                    "a step over the event whose estimate happens to vanish is rare, but counts in the mean square");
+      } else {
+        expect_true(what, s.points >= 4 && s.value < 0.5,
+                    "nothing of what the jump map does between steps is in the estimate: the tolerance has no say");
+      }
+    }
+  }
+}
+
+TEST(OrderCertificate, EvaluationsAreWhatTheCatalogueSays) {
+  requirement("order.evaluations");
+  for (const MethodInfo& method : method_catalogue()) {
+    if (method.evaluations == 0) continue;  // as many as the stiffness needs
+    expect("evaluations a step, " + method.name, studies::evaluations(method.name).per_step, method.evaluations,
+           exact("counted over 100 steps"));
+  }
+}
+
+TEST(OrderCertificate, TheWayBackEndsWhereTheSymmetrySays) {
+  requirement("order.reversal");
+  for (const MethodInfo& method : method_catalogue()) {
+    const auto want = studies::predicted_return(method);
+    if (!want) continue;
+    const auto points = studies::observe_return(method.name, studies::problem("hertz"), studies::quick);
+    if (std::isinf(*want)) {
+      double greatest = 0;
+      for (const Point& point : points) greatest = std::max(greatest, point.position);
+      expect(
+          "distance from the start over the overlap, " + method.name, greatest, 0,
+          absolute(1e-12, "round-off of some 6000 steps of a symmetric method: 1e-16 each as a random walk is 1e-14"));
+    } else {
+      const Slope slope = studies::fitted(points, &Point::position);
+      expect("order of the distance from the start, " + method.name, slope.value, *want,
+             absolute(studies::tolerance_of(slope), "three standard errors, and 0.15 for the next power of the step"));
+    }
+  }
+}
+
+TEST(OrderCertificate, EnergyDriftsAsTheAmplificationSays) {
+  requirement("order.energy");
+  constexpr double angle = 0.05;
+  for (const MethodInfo& method : method_catalogue()) {
+    const auto want = studies::predicted_drift(method.name);
+    if (!want) continue;
+    const double leading = want->factor * std::pow(studies::true_angle(angle), want->power);
+    expect("change of energy a period, h omega = 0.05, " + method.name, studies::energy_drift(method.name, angle),
+           leading,
+           absolute(2 * angle * angle * std::fabs(leading) + 1e-8,
+                    "the next term is angle^2 times a factor of order one; 1e-8 for the swing of the energy within a "
+                    "period, angle^2/4, in means over windows that are not whole periods of the method"));
+  }
+}
+
+}  // namespace
+}  // namespace furrow::verification

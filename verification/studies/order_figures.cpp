@@ -1,0 +1,157 @@
+#include "studies/order_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "studies/order_trends.h"
+
+namespace furrow::studies {
+namespace {
+
+std::string fixed(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+double rounded_to_6(double value) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::fabs(value))));
+  return std::round(value * scale) / scale;
+}
+
+// Own methods in colour, a line of order.gp's styles each.
+constexpr std::array<const char*, 6> drawn{"pece", "ab2", "verlet", "symplectic_euler", "rk4", "imex"};
+
+}  // namespace
+
+Figure matrix_figure(const Observations& all) {
+  Json cells = Json::array(), columns = Json::array(), rows = Json::array();
+  double y = 0;
+  int missed = 0, count = 0;
+  for (const MethodInfo& method : method_catalogue()) {
+    if (method.controlled) continue;
+    rows.push_back({0, y, method.name});
+    double x = 0;
+    for (const Problem& p : problems()) {
+      const auto found = all.verdicts.find({method.name, p.name});
+      if (found != all.verdicts.end() && found->second.predicted) {
+        const Verdict& v = found->second;
+        ++count;
+        missed += v.position_holds ? 0 : 1;
+        const double predicted = v.predicted->position;
+        const std::string want = fixed(predicted, predicted == std::round(predicted) ? 0 : 2);
+        const bool told = v.position.points >= 4;
+        cells.push_back({x, y, told ? rounded_to_6(v.position.value) : 0, v.position_holds ? 0 : 1,
+                         told ? fixed(v.position.value, 2) + "±" + fixed(v.position.error, 2).substr(1) + " | " + want
+                              : std::string("none | ") + want});
+      } else {
+        cells.push_back({x, y, -1, 0, "cannot"});
+      }
+      ++x;
+    }
+    ++y;
+  }
+  double x = 0;
+  for (const Problem& p : problems()) columns.push_back({x++, 0, p.title});
+  Figure figure{
+      "order_matrix", "order_matrix.gp", {}, "matrix of observed and predicted orders, methods by kinds of force"};
+  figure.caption = "Observed order of the position, its standard error, and after the bar the predicted order. " +
+                   std::to_string(count - missed) + " of " + std::to_string(count) +
+                   " cells hold; a cell that does not is framed.";
+  figure.variables = {{"width", static_cast<double>(problems().size())}, {"height", y}};
+  figure.blocks = {{"cells", cells}, {"columns", columns}, {"rows", rows}};
+  return figure;
+}
+
+Figure slopes_figure(const Observations& all) {
+  Json points = Json::array(), theory = Json::array(), panels = Json::array(), labels = Json::array();
+  double panel = 0;
+  for (const Problem& p : problems()) {
+    double least = 1, most = 1e-16;
+    std::vector<double> labelled;
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      const auto found = all.points.find({drawn[k], p.name});
+      if (found == all.points.end()) continue;
+      const std::vector<Point>& series = found->second;
+      for (const Point& point : series) {
+        if (!(point.position > 0)) continue;
+        points.push_back(
+            {panel, static_cast<double>(k), rounded_to_6(point.step / p.unit), rounded_to_6(point.position)});
+        least = std::min(least, point.position);
+        most = std::max(most, point.position);
+      }
+      const Verdict& v = all.verdicts.at({drawn[k], p.name});
+      if (!v.predicted || v.position.points < 4) continue;
+      // The predicted slope through the middle of the measured points.
+      const Point& middle = series[series.size() / 2];
+      const auto at = [&](const Point& end) {
+        return rounded_to_6(middle.position * std::pow(end.step / middle.step, v.predicted->position));
+      };
+      theory.push_back({panel, rounded_to_6(series.front().step / p.unit), at(series.front()),
+                        rounded_to_6(series.back().step / p.unit), at(series.back())});
+      const double slope = v.predicted->position;
+      if (std::find(labelled.begin(), labelled.end(), slope) != labelled.end()) continue;
+      labelled.push_back(slope);
+      labels.push_back({panel, rounded_to_6(series.back().step / p.unit), at(series.back()),
+                        fixed(slope, slope == std::round(slope) ? 0 : 2)});
+    }
+    panels.push_back(
+        {panel, std::pow(10, std::floor(std::log10(least))), std::pow(10, std::ceil(std::log10(most))), p.title});
+    ++panel;
+  }
+  Json names = Json::array();
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (all.trends.contains(drawn[k])) names.push_back({static_cast<double>(k), 0, drawn[k]});
+  }
+  const auto order = [&](const char* method, const char* p) {
+    return fixed(all.verdicts.at({method, p}).position.value, 2);
+  };
+  Figure figure{"order_slopes", "order_slopes.gp", {}, "error against step size, a panel for each kind of force"};
+  figure.caption =
+      "Error of the position against the step, in units of the contact's duration or 1/omega; grey: the "
+      "predicted slope, with its number. On a smooth force rk4 has order " +
+      order("rk4", "lattice") + ", through a Hertz contact " + order("rk4", "hertz") + ", through a damped one " +
+      order("rk4", "damped_hertz") + " like pece with " + order("pece", "damped_hertz") + ".";
+  figure.variables = {{"panels", panel}};
+  figure.blocks = {{"points", points}, {"theory", theory}, {"panel", panels}, {"labels", labels}, {"names", names}};
+  return figure;
+}
+
+Figure energy_figure(const Observations& all, const std::vector<double>& angles) {
+  Json points = Json::array(), theory = Json::array(), names = Json::array();
+  double curve = 0;
+  for (const MethodInfo& method : method_catalogue()) {
+    const auto drift = predicted_drift(method.name);
+    const auto found = all.trends.find(method.name);
+    if (!drift || found == all.trends.end() || !found->second.contains("drift") ||
+        method.name.starts_with("odeint_rk") || method.name.starts_with("odeint_ab") ||
+        method.name.starts_with("odeint_s") || method.name.starts_with("odeint_v"))
+      continue;
+    const Json& measured = found->second["drift"];
+    double last = NAN;
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      const double value = measured[k].is_number() ? measured[k].get<double>() : NAN;
+      if (!(std::fabs(value) > 1e-13)) continue;
+      last = value;
+      points.push_back({curve, angles[k], rounded_to_6(std::fabs(value)), value > 0 ? 1 : 0});
+    }
+    if (drift->factor != 0) {
+      for (const double angle : {angles.front(), angles.back()})
+        theory.push_back({curve, angle, rounded_to_6(std::fabs(drift->factor) * std::pow(angle, drift->power))});
+    }
+    names.push_back({curve, rounded_to_6(std::fabs(last)), last > 0 ? 1 : 0, method.name});
+    ++curve;
+  }
+  Figure figure{"order_energy", "order_energy.gp", {}, "relative change of energy in a period against h omega"};
+  figure.caption =
+      "Undamped oscillator, 64 periods: relative change of the energy in a period. Filled: gain, open: loss; "
+      "grey: the leading term of the amplification.";
+  figure.variables = {{"curves", curve}};
+  figure.blocks = {{"points", points}, {"theory", theory}, {"names", names}};
+  return figure;
+}
+
+}  // namespace furrow::studies

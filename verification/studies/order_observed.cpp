@@ -1,0 +1,180 @@
+#include "studies/order_observed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "system/run.h"
+
+namespace furrow::studies {
+namespace {
+
+// Errors below are round-off: of positions near 0.1 m against motions of some mm.
+constexpr double round_off = 3e-13;
+
+struct Plan {
+  double step;   // s; of a controlled method the longest
+  int steps;     // that make up the run
+  double start;  // s, on the exact solution
+  Tolerances tolerances{};
+};
+
+struct Ran {
+  State y;
+  long steps = 0;
+  long evaluations = 0;
+};
+
+// As `run` does it, for a system that no event interrupts.
+long run_plain(const OdeSystem& system, Method& method, State& y, const Plan& plan) {
+  long steps = 0;
+  const double end = plan.steps * plan.step;
+  for (double t = 0; method.info().controlled ? t < end * (1 - 1e-12) : steps < plan.steps; ++steps) {
+    t += method.step(system, t, y, method.info().controlled ? std::min(plan.step, end - t) : plan.step);
+    if (!method.info().controlled) t = static_cast<double>(steps + 1) * plan.step;
+    if (!std::isfinite(y[0])) throw Divergence("not finite");
+  }
+  return steps;
+}
+
+// From y; a fresh method. Throws Divergence.
+Ran carry(OdeSystem& system, const std::string& name, const State& start, const Plan& plan) {
+  const auto method = make_method(name, plan.tolerances);
+  Ran ran{start};
+  if (auto* scene = dynamic_cast<System*>(&system)) {
+    const double end = plan.steps * plan.step;
+    const RunEnd ended = run(*scene, *method, ran.y, {.start = 0, .end = end, .step = plan.step, .stop = {}},
+                             [](double, const State&, const JumpReport&) { return true; });
+    if (ended.ending != Ending::finished) throw Divergence(ended.reason);
+    ran.steps = ended.steps;
+  } else {
+    ran.steps = run_plain(system, *method, ran.y, plan);
+  }
+  ran.evaluations = method->evaluations();
+  return ran;
+}
+
+// The problem's state at `time`; a first jump gives contacts their tangential springs, which that state then fills.
+State placed(OdeSystem& system, const Problem& problem, double time) {
+  State y = problem.state(time);
+  State room = y;
+  if (auto* scene = dynamic_cast<System*>(&system)) scene->jump(0, room);
+  return y;
+}
+
+double mean_square(const State& a, const State& b, std::size_t from, std::size_t to) {
+  double sum = 0;
+  for (std::size_t i = from; i < to; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum / static_cast<double>(to - from);
+}
+
+// Quasi-random in [0, 1), evenly spread whatever the count: multiples of an irrational number.
+double spread(int k, double irrational) { return std::fmod((k + 0.5) * irrational, 1.0); }
+
+// The runs of one point. Each starts at another place within a step, with a step of its own, and ends elsewhere: else
+// two events would stand in the same relation in all of them, or the error would happen to vanish at the end.
+Plan jittered(const Problem& problem, double steps, int size, int phase) {
+  const double step = problem.duration / (steps * (1 + 0.25 * spread(phase, 0.7548776662466927)));
+  const double end = problem.duration * (1 - (1 - problem.earliest) * spread(phase, 0.5698402909980532));
+  return {.step = step,
+          .steps = static_cast<int>(end / step),
+          .start = spread(phase + 16 * size, 0.6180339887498949) * step};
+}
+
+// Adds the runs of all phases to one point. `one` makes a run and returns what it reached and should have reached.
+template <class One>
+Point over_phases(const Problem& problem, const Series& series, const One& one) {
+  Point point;
+  double position = 0, velocity = 0, steps = 0, length = 0;
+  for (int k = 0; k < series.phases; ++k) {
+    try {
+      const auto system = problem.system();
+      const auto [ran, want, duration] = one(*system, k);
+      const std::size_t q = system->positions();
+      position += mean_square(ran.y, want, 0, q);
+      velocity += mean_square(ran.y, want, q, 2 * q);
+      point.evaluations += static_cast<double>(ran.evaluations);
+      steps += static_cast<double>(ran.steps);
+      length += duration;
+    } catch (const Divergence&) {
+      ++point.failures;
+    }
+  }
+  const int good = series.phases - point.failures;
+  point.position = std::sqrt(position / good) / problem.length;
+  point.velocity = std::sqrt(velocity / good) / problem.speed;
+  point.per_step = point.evaluations / steps;
+  point.evaluations /= good;
+  point.step = length / steps;
+  return point;
+}
+
+double steps_of(const Problem& problem, const Series& series, int size) {
+  return problem.least_steps * std::pow(series.ratio, size);
+}
+
+bool is_controlled(const std::string& method) { return make_method(method)->info().controlled; }
+
+}  // namespace
+
+Slope fitted(const std::vector<Point>& points, double Point::*error, int most, double Point::*abscissa) {
+  std::vector<std::pair<double, double>> logs;
+  for (auto p = points.rbegin(); p != points.rend() && static_cast<int>(logs.size()) < most; ++p) {
+    if (p->failures == 0 && (*p).*error > round_off && (*p).*error < 1.0 / 30)
+      logs.emplace_back(std::log((*p).*abscissa), std::log((*p).*error));
+  }
+  Slope slope;
+  slope.points = static_cast<int>(logs.size());
+  if (slope.points < 4) return {NAN, NAN, slope.points};
+  double x = 0, y = 0, xx = 0, xy = 0, rest = 0;
+  for (const auto& [a, b] : logs) x += a / slope.points, y += b / slope.points;
+  for (const auto& [a, b] : logs) xx += (a - x) * (a - x), xy += (a - x) * (b - y);
+  slope.value = xy / xx;
+  for (const auto& [a, b] : logs) rest += std::pow(b - y - slope.value * (a - x), 2);
+  slope.error = std::sqrt(rest / (slope.points - 2) / xx);
+  return slope;
+}
+
+std::vector<Point> observe(const std::string& method, const Problem& problem, const Series& series) {
+  std::vector<Point> points;
+  const bool controlled = is_controlled(method);
+  for (int size = 0; size < series.sizes; ++size) {
+    Tolerances tolerances;
+    if (controlled) {
+      tolerances.relative = 1e-5 * std::pow(1e-5, static_cast<double>(size) / (series.sizes - 1));
+      tolerances.absolute = tolerances.relative * problem.length;
+      tolerances.first_step = problem.duration / 1000;
+    }
+    points.push_back(over_phases(problem, series, [&](OdeSystem& system, int phase) {
+      // The longest step of a controlled method: shorter than any contact, or it might step over one.
+      Plan plan = jittered(problem, controlled ? 10 : steps_of(problem, series, size), controlled ? 0 : size, phase);
+      plan.tolerances = tolerances;
+      const Ran ran = carry(system, method, placed(system, problem, plan.start), plan);
+      return std::tuple(ran, problem.state(plan.start + plan.steps * static_cast<long double>(plan.step)),
+                        plan.steps * plan.step);
+    }));
+    points.back().tolerance = controlled ? tolerances.relative : 0;
+  }
+  return points;
+}
+
+std::vector<Point> observe_return(const std::string& method, const Problem& problem, const Series& series) {
+  std::vector<Point> points;
+  for (int size = 0; size < series.sizes; ++size) {
+    points.push_back(over_phases(problem, series, [&](OdeSystem& system, int phase) {
+      const Plan plan = jittered(problem, steps_of(problem, series, size), size, phase);
+      const State start = placed(system, problem, plan.start);
+      const auto reverse = [&](State& y) {
+        for (std::size_t i = system.positions(); i < 2 * system.positions(); ++i) y[i] = -y[i];
+      };
+      Ran there = carry(system, method, start, plan);
+      reverse(there.y);
+      Ran back = carry(system, method, there.y, plan);
+      reverse(back.y);
+      return std::tuple(back, start, plan.steps * plan.step);
+    }));
+  }
+  return points;
+}
+
+}  // namespace furrow::studies

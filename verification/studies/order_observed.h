@@ -1,0 +1,48 @@
+// The order of a method as it is observed: errors at many step sizes, root of the mean square over where in a step the
+// events fall, and the slope of their logarithms.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "methods/method.h"
+#include "studies/order_problems.h"
+
+namespace furrow::studies {
+
+// How finely: the first number of steps is the problem's, each next one `ratio` times as many; tolerances of controlled
+// methods go from 1e-5 to 1e-10.
+struct Series {
+  int sizes = 11;
+  double ratio = 1.5;
+  int phases = 64;  // places of the events within a step
+};
+inline constexpr Series full{}, quick{9, 1.45, 24};
+
+// One point: one step size, or one tolerance of a controlled method.
+struct Point {
+  double step = 0;         // s; of a controlled method the mean of the accepted ones
+  double tolerance = 0;    // of a controlled method, relative
+  double evaluations = 0;  // of a run, mean
+  double per_step = 0;     // evaluations a step
+  double position = 0;     // error over problem.length, root of the mean square over phases
+  double velocity = 0;     // over problem.speed
+  int failures = 0;        // runs that diverged; errors are of the others
+};
+
+// log error = a + slope log step by least squares. The standard error is that of the scatter about the line.
+struct Slope {
+  double value = 0, error = 0;
+  int points = 0;  // fewer than 4: no order can be told
+};
+
+// The points whose error (a member of Point) lies between round-off and 1/30, at most `most` of them, the finest.
+Slope fitted(const std::vector<Point>& points, double Point::*error, int most = 9,
+             double Point::*abscissa = &Point::step);
+
+std::vector<Point> observe(const std::string& method, const Problem& problem, const Series& series);
+
+// The motion run to its end, reversed and run back to where it came from: the distance from there, as a Point.
+std::vector<Point> observe_return(const std::string& method, const Problem& problem, const Series& series);
+
+}  // namespace furrow::studies

@@ -1,0 +1,58 @@
+// The order that theory predicts for a method on a kind of force.
+//
+//   smooth force          p, the method's own
+//   force as (t - t0)^a   min(p, a + 1): the step over t0 errs by h^(a + 1) in velocity, whatever the method
+//   torn link             1: the tear is seen at the end of a step
+//
+// Where a body leaves an elastic contact as fast as it came, a method of even order p errs by h^(p + 1) in speed only:
+// what it lost on the way in it regains on the way out. There the speed converges faster than the position.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "methods/method.h"
+#include "studies/order_observed.h"
+#include "studies/order_problems.h"
+
+namespace furrow::studies {
+
+struct Prediction {
+  double position = 0;
+  double velocity = 0;
+  bool at_least = false;  // the velocity's is a lower bound: the next power may have the larger factor
+};
+
+// Nothing for a controlled method (see predicted_exponents) and one that cannot carry the problem.
+std::optional<Prediction> predicted(const MethodInfo& method, const Problem& problem);
+
+// A controlled method's error goes like tolerance^s. On a smooth force the local error, as h^q, is held at the
+// tolerance and the error itself goes as h^p: s = p/q, or 1 if p = q.
+//
+// At an event within a step the estimate, as a function of where in the step it falls, passes through zero: with a
+// probability of tolerance/e a step of the natural size h = tolerance^(1/q) is taken that errs by e = h^(a + 1). In the
+// mean square that is e tolerance, so that s may fall to (1 + (a + 1)/q)/2.
+//
+// Where the jump map acts between steps the estimate sees nothing and s is near zero.
+struct Exponents {
+  double smooth, with_event;
+};
+Exponents predicted_exponents(const MethodInfo& method, const Problem& problem);
+
+// How far an observed order may be from the predicted one: three standard errors, and `preasymptotic` for what the next
+// power of h still adds at steps that can be afforded (fits over steps ten times smaller came closer in every case).
+inline constexpr double preasymptotic = 0.15;
+inline double tolerance_of(const Slope& slope) { return 3 * slope.error + preasymptotic; }
+
+// Slopes of one method on one problem against their predictions.
+struct Verdict {
+  Slope position, velocity;
+  std::optional<Prediction> predicted{};
+  bool position_holds = true, velocity_holds = true;
+};
+Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vector<Point>& points);
+
+// Whether the method can carry the problem at all.
+bool applies(const MethodInfo& method, const Problem& problem);
+
+}  // namespace furrow::studies

@@ -1,0 +1,42 @@
+// What else tells methods apart: evaluations a step, the way back, and the energy of an undamped oscillator.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "methods/method.h"
+#include "studies/order_observed.h"
+
+namespace furrow::studies {
+
+struct Count {
+  double per_step = 0;  // evaluations, once started
+  double at_start = 0;  // more than that, in the first steps
+};
+// On an undamped spring; none for a controlled method.
+Count evaluations(const std::string& method);
+
+// Relative change of the energy of x'' = -x in one period, h = angle: from the means over the first and last eighth of
+// 64 periods. NaN if it diverges.
+double energy_drift(const std::string& method, double angle);
+
+// The h that it takes: a whole number of steps makes a period.
+double true_angle(double angle);
+
+// Its leading term, factor * angle^power; nothing if it is not written down for this method.
+struct Drift {
+  double factor, power;
+};
+std::optional<Drift> predicted_drift(const std::string& method);
+
+// The order in which a run through a Hertz impact that is reversed and run back misses its start. With the modified
+// equation y' = f + h^p f_p + h^(p+1) f_(p+1) + ... the way back undoes the terms of even power, so p + 1 for even p;
+// in P(EC)^2E the term of power 3 is missing too. Infinity: exact. On a spring, which is in motion when the run starts,
+// a multistep method's first steps add their own error, twice: there ab2 is of order 2.
+std::optional<double> predicted_return(const MethodInfo& method);
+
+// Whether the way back ends where it began but for round-off.
+bool returns_exactly(const std::vector<Point>& points);
+
+}  // namespace furrow::studies
