@@ -4,6 +4,7 @@ namespace furrow::studies {
 
 const std::vector<Study>& catalogue() {
   static const std::vector<Study> all{
+      {"stability", "where methods fail: stable steps by theory, and the solver's own blow-up", stability},
       {"work_precision", "error against evaluations and CPU time, every method on every scene", work_precision},
       {"geometry", "which lattice and plate come closest to the paper's first scene", geometry},
       {"convergence", "which of the paper's numbers do not depend on the time step", convergence},

@@ -5,6 +5,7 @@
 
 namespace furrow::studies {
 
+Json stability(const Settings& settings);
 Json work_precision(const Settings& settings);
 Json geometry(const Settings& settings);
 Json convergence(const Settings& settings);

@@ -1,0 +1,89 @@
+// Where the methods fail: the step at which the solver blows up against the method's amplification factor.
+//
+//   x'' = -2 zeta omega x' - omega^2 x,   one step: [x, x', memory]_(n+1) = M(omega h, zeta) [x, x', memory]_n,
+//   stable if no eigenvalue of M is larger than one; M from the formula of the method (studies/amplification.cpp, which
+//   calls nothing of src/methods)
+//
+// Limits in the literature: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations II, IV.2 and V.1.
+#include <cmath>
+
+#include "studies/amplification.h"
+#include "studies/atlas.h"
+#include "verification/check.h"
+
+namespace furrow::verification {
+namespace {
+
+using namespace studies;
+
+constexpr double any = -1;  // instead of a limit: not asked
+
+struct Known {
+  const char* method;
+  double real, imaginary;  // h |lambda|
+};
+// Roots of the methods' characteristic polynomials, by hand or from the source above.
+const Known known[] = {
+    {"pece", 2, 1.287},
+    {"pec", 0.5, 2.0 / 3},
+    {"pecece", 1.478, 1.691},
+    {"ab2", 1, any},
+    {"rk4", 2.785, std::sqrt(8.0)},
+    {"verlet", any, 2},
+    {"symplectic_euler", any, 2},
+    {"odeint_ab3", 6.0 / 11, 0.724},
+    {"odeint_ab4", 0.3, 0.43},
+    {"odeint_abm3", 1.73, any},
+    {"odeint_abm4", 1.285, any},
+    {"odeint_dopri5_fixed", 3.31, any},
+    {"odeint_fehlberg78_fixed", 5.01, 2.37},
+};
+
+TEST(StabilityLimits, AmplificationFactorsHaveTheKnownLimits) {
+  requirement("stability.limits");
+  const auto rounded = relative(2e-3, "the known limits are given to three digits");
+  for (const Known& k : known) {
+    const Scheme& scheme = *scheme_of(k.method);
+    const std::string name = k.method;
+    if (k.real != any)
+      expect(name + ": h |lambda| on the real axis", largest_stable_radius(scheme, -1), k.real, rounded);
+    if (k.imaginary != any) expect(name + ": omega h, undamped", largest_stable_angle(scheme, 0), k.imaginary, rounded);
+  }
+  // |r|^2 = 1 + theta^4/2 + ... for AB2: a growth of g a step is reached at theta = (4 g)^(1/4).
+  expect("ab2: omega h at which an undamped spring grows by 1e-5 a step", largest_stable_angle(*scheme_of("ab2"), 0),
+         std::pow(4 * growth_seen, 0.25), relative(0.01, "the next term of the growth, of relative size theta^2"));
+  for (const double zeta : {0.1, 1.0, 5.0}) {
+    expect("symplectic_euler: omega h, damping ratio " + std::to_string(zeta),
+           largest_stable_angle(*scheme_of("symplectic_euler"), zeta), 2 * (std::sqrt(1 + zeta * zeta) - zeta),
+           relative(1e-4, "closed form; the growth that passes moves the limit by 1e-5 or so"));
+  }
+}
+
+TEST(StabilityLimits, PaperMethodOnADampedSpring) {
+  requirement("stability.limits");
+  const struct {
+    double zeta, limit;
+  } table[] = {{0, 1.287}, {0.01, 1.295}, {0.1, 1.344}, {0.5, 1.439}, {1, 2.0}, {5, 0.202}};
+  for (const auto& [zeta, limit] : table) {
+    const std::string at = ", damping ratio " + std::to_string(zeta);
+    const double theory = largest_stable_angle(*scheme_of("pece"), zeta);
+    expect("omega h by the roots of r^2 = r (1 + z + 3/4 z^2) - z^2/4" + at, theory, limit,
+           relative(1e-3, "the limits are given to four digits"));
+  }
+}
+
+// Not only where each method is well known: both kinds of force, all damping ratios, every method with a theory.
+TEST(StabilityLimits, SolverBlowsUpWhereTheAmplificationFactorSays) {
+  requirement("stability.limits");
+  const std::string reason = "bisection to 1e-3, and the growth of 1e-5 a step that is seen";
+  for (const AtlasEntry& entry : make_atlas({}, {0, 0.01, 0.1, 0.5, 1, 5})) {
+    for (const AtlasLimit& l : entry.limits) {
+      const std::string at = entry.methods.front() + ", damping ratio " + std::to_string(l.zeta);
+      expect(at + ": omega h of a node on a link", l.spring, l.theory, relative(0.004, reason));
+      expect(at + ": omega h of a disc on a wall", l.contact, l.theory, relative(0.004, reason));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace furrow::verification
