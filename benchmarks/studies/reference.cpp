@@ -43,9 +43,8 @@ double apart(const State& a, const State& b, int numbers) {
 
 Json reference_runs(const CaseInfo& info, const Case& scene) {
   const Outcome fine = complete_run(scene, {.method = "rk4", .step = info.reference_step});
-  const std::string other = "odeint_dopri5";
-  const Outcome unlike = complete_run(scene, {.method = other, .step = info.other_step, .tolerance = 1e-10});
-  return {{"fine", json_of(fine)}, {"other", other}, {"unlike", json_of(unlike)}};
+  const Outcome unlike = complete_run(scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10});
+  return {{"fine", json_of(fine)}, {"other", info.other}, {"unlike", json_of(unlike)}};
 }
 
 Reference reference_from(const Json& runs) {

@@ -14,7 +14,7 @@ struct Reference {
   Error floor() const { return {10 * disagreement.place, 10 * disagreement.force}; }
 };
 
-// What rk4 and a controlled Dormand-Prince method of Boost.Odeint make of a case. Throws Divergence if one of them does
+// What rk4 and the case's other method make of it. Throws Divergence if one of them does
 // not come to the end.
 Json reference_runs(const CaseInfo& info, const Case& scene);
 Reference reference_from(const Json& runs);

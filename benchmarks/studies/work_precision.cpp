@@ -66,7 +66,7 @@ double floor_of(const Found& found) {
 class Scenes {
  public:
   explicit Scenes(const std::vector<CaseInfo>& wanted) {
-    for (const CaseInfo& info : wanted) made_.try_emplace(info.name, info.make);
+    for (const CaseInfo& info : wanted) made_.try_emplace(info.name, info);
   }
   const Case& of(const CaseInfo& info) { return made_.at(info.name).get(); }
 

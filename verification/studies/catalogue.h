@@ -5,11 +5,12 @@
 
 namespace furrow::studies {
 
+Json order(const Settings& settings);
 Json stability(const Settings& settings);
 Json work_precision(const Settings& settings);
+Json need(const Settings& settings);
 Json geometry(const Settings& settings);
 Json convergence(const Settings& settings);
 Json ensemble(const Settings& settings);
-Json order(const Settings& settings);  // observed order of each method on each kind of force
 
 }  // namespace furrow::studies

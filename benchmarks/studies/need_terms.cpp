@@ -1,0 +1,89 @@
+#include "studies/need_terms.h"
+
+#include <algorithm>
+
+namespace furrow::studies {
+namespace {
+
+void for_each_kind(Scene& scene, const std::function<void(LinkKind&)>& change) {
+  for (Lattice& l : scene.lattice) {
+    for (LinkKind* kind : {&l.structural, &l.shear, &l.bending}) change(*kind);
+  }
+}
+
+bool any_kind(const Scene& scene, const std::function<bool(const LinkKind&)>& is) {
+  return std::any_of(scene.lattice.begin(), scene.lattice.end(),
+                     [&](const Lattice& l) { return is(l.structural) || is(l.shear) || is(l.bending); });
+}
+
+bool has_links(const Scene& scene, LinkKind Lattice::*kind) {
+  return std::any_of(scene.lattice.begin(), scene.lattice.end(),
+                     [&](const Lattice& l) { return (l.*kind).stiffness > 0 || (l.*kind).damping > 0; });
+}
+
+bool has_bed(const Scene& scene) { return !scene.packing.empty(); }
+bool has_discs(const Scene& scene) { return has_bed(scene) || !scene.disc.empty(); }
+
+std::function<Scene()> scene_of_case(const std::string& name) {
+  return std::find_if(cases().begin(), cases().end(), [&](const CaseInfo& c) { return c.name == name; })->scene;
+}
+
+}  // namespace
+
+const std::vector<Term>& terms() {
+  static const std::vector<Term> all{
+      {"friction, and with it spins and tangential springs",
+       [](const Scene& s) { return s.contact.friction > 0 || s.contact.rolling_friction > 0; },
+       [](Scene& s) { s.contact.friction = s.contact.rolling_friction = 0; }},
+      {"sliding friction alone",
+       [](const Scene& s) { return has_discs(s) && s.contact.friction > 0 && s.contact.rolling_friction > 0; },
+       [](Scene& s) { s.contact.friction = 0; }},
+      {"rolling friction", [](const Scene& s) { return s.contact.rolling_friction > 0; },
+       [](Scene& s) { s.contact.rolling_friction = 0; }},
+      {"damping of contacts", [](const Scene& s) { return !has_bed(s) && s.contact.damping_factor.value_or(0) > 0; },
+       [](Scene& s) { s.contact.damping_factor = 0; }},
+      {"damping of links", [](const Scene& s) { return any_kind(s, [](const LinkKind& k) { return k.damping > 0; }); },
+       [](Scene& s) { for_each_kind(s, [](LinkKind& k) { k.damping = 0; }); }},
+      {"shear links", [](const Scene& s) { return has_links(s, &Lattice::shear); },
+       [](Scene& s) {
+         for (Lattice& l : s.lattice) l.shear = {};
+       }},
+      {"bending links", [](const Scene& s) { return has_links(s, &Lattice::bending); },
+       [](Scene& s) {
+         for (Lattice& l : s.lattice) l.bending = {};
+       }},
+      {"tearing", [](const Scene& s) { return any_kind(s, [](const LinkKind& k) { return k.strength < infinity; }); },
+       [](Scene& s) { for_each_kind(s, [](LinkKind& k) { k.strength = infinity; }); }},
+      {"auxiliary points (the exact nearest point instead)",
+       [](const Scene& s) {
+         return has_discs(s) && std::any_of(s.lattice.begin(), s.lattice.end(),
+                                            [](const Lattice& l) { return l.auxiliary_points > 0; });
+       },
+       [](Scene& s) {
+         for (Lattice& l : s.lattice) l.auxiliary_points = 0;
+       }},
+      {"gravity", [](const Scene& s) { return !has_bed(s) && s.model.gravity > 0; },
+       [](Scene& s) { s.model.gravity = 0; }},
+      {"energy ledger", [](const Scene& s) { return s.output.energy; }, [](Scene& s) { s.output.energy = false; }},
+  };
+  return all;
+}
+
+std::vector<Subject> subjects(bool quick) {
+  const auto file = [](const std::string& name) { return [name] { return scene_file(name); }; };
+  std::vector<Subject> all{
+      {"single_spring", {0, 0.01, 200}, "rk4", 1e-3, 1, file("single_spring")},
+      {"disc_on_wall", {0, 1e-5, 100}, "rk4", 1e-6, 1, file("disc_on_wall")},
+      {"damped_hertz_impact", {0, 1e-3, 100}, "rk4", 1e-5, 1, scene_of_case("damped_hertz_impact")},
+      {"cantilever", {0, 0.01, 300}, "rk4", 5e-4, 1, file("cantilever")},
+      {"tearing_lattice", {0, 1e-3, 500}, "rk4", 1e-4, 1, scene_of_case("tearing_lattice")},
+      {"scenario_1", {0, 1e-3, 1200}, "rk4", 2e-5, 1, file("scenario_1")},
+  };
+  if (!quick) {
+    all.push_back({"scenario_2", {0, 1e-3, 4500}, "rk4", 1e-4, 4, file("scenario_2")});
+    all.push_back({"scenario_3", {0, 1e-3, 4500}, "rk4", 1e-4, 4, file("scenario_3")});
+  }
+  return all;
+}
+
+}  // namespace furrow::studies
