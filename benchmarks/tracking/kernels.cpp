@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <span>
 
@@ -62,7 +64,8 @@ Work rhs_of(const std::shared_ptr<Ready>& r, double t) {
     hash.add(r->dydt);
     return hash.sum();
   };
-  return {.run = times([r, t] { r->system.rhs(t, r->y, r->dydt); }), .answer = answer, .error = {}};
+  const double later = t + 1e-9;  // s: the jump map remembers the rates of its own time, which would be no work
+  return {.run = times([r, later] { r->system.rhs(later, r->y, r->dydt); }), .answer = answer, .error = {}};
 }
 
 // Half a millimetre deep in the first column of nodes.
@@ -117,11 +120,16 @@ Work observation(const fs::path& beds) {
 }
 
 Work reading(const fs::path& /*beds*/) {
-  const std::string text = canonical_text(paper_scene("scenario_3"));
+  std::ifstream stream(fs::path(FURROW_SOURCE_DIR) / "validation/scenes/scenario_3.toml", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
   const auto scene = std::make_shared<Scene>();
-  return {.run = times([=] { *scene = parse_scene(text, "scenario_3"); }),
-          .answer = [=] { return scene_hash(*scene); },
-          .error = {}};
+  const auto answer = [=] {  // of some values only: a new key of the schema does not change it
+    Hash hash;
+    hash.add(std::vector{scene->time.end, scene->material.at(0).density, scene->wall.at(2).point.x,
+                         scene->lattice.at(0).shear.strength, scene->output.frames.at(5)});
+    return hash.sum();
+  };
+  return {.run = times([=] { *scene = parse_scene(text, "scenario_3"); }), .answer = answer, .error = {}};
 }
 
 // ---- steps ----
