@@ -15,6 +15,7 @@ struct RunOptions {
   std::optional<std::string> method;
   std::optional<double> step;   // s
   std::optional<double> until;  // s
+  bool events = false;          // as time.events
   std::string directory;        // empty: runs/<name of the scene>
 };
 

@@ -67,6 +67,7 @@ int parse_and_run(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a scene and write its files; run.json goes to standard output too");
   add_overrides(run);
   run->add_option("--until", options.until, "end of the run, s")->check(CLI::PositiveNumber);
+  run->add_flag("--events", options.events, "step on touches, slips and tears; for scenes with few of them");
   run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)");
 
   std::vector<std::string> scenes;

@@ -40,6 +40,7 @@ struct Timing {
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 1e-9;  // m, m/s, rad/s
   double max_step = 1e-3;            // s, for controlled methods
+  bool events = false;               // step on touches, slips and tears, see events.h; for scenes with few of them
   bool locate_tears = false;         // end a step where a link tears, or else learn of it at its end, as the paper does
 };
 

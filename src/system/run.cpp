@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <sstream>
 
+#include "system/events.h"
 #include "system/locate.h"
 
 namespace furrow {
@@ -59,12 +60,16 @@ class Watch {
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
   if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
   const Watch watch(system);
-  RunEnd end{Ending::finished, {}, plan.start, 0, 0};
+  RunEnd end{Ending::finished, {}, plan.start, 0, 0, 0, 0};
   const bool fixed = !method.info().controlled;
   long grid = 0;          // fixed steps are counted, not summed: t = start + n h has no drift
   bool off_grid = false;  // a tear was located between two of them
   const double tiny = 1e-9 * plan.step;
   State before = y;
+  const auto check = [&](const State& from, const State& to, double h) {
+    if (const std::string complaint = watch.complaint(from, to, h); !complaint.empty()) throw Divergence(complaint);
+  };
+  EventSteps stepper(system, method, check);
   try {
     JumpReport report = system.jump(plan.start, y);
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
@@ -73,10 +78,17 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       double next = plan.start + static_cast<double>(grid + 1) * plan.step;
       if (!fixed) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
       if (next > plan.end - tiny) next = plan.end;
+      if (plan.events) {
+        report = {};
+        end.time = stepper.step(end.time, y, next, plan.step, report);
+        ++grid;
+        ++end.steps;
+        if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+        continue;
+      }
       const bool regular = fixed && !off_grid && next != plan.end;
       const double taken = method.step(system, end.time, y, regular ? plan.step : next - end.time);
-      const std::string complaint = watch.complaint(before, y, taken);
-      if (!complaint.empty()) throw Divergence(complaint);
+      check(before, y, taken);
       const double full = taken == next - end.time || regular ? next : end.time + taken;
       const double reached = plan.locate_tears ? go_back_to_first_tear(system, end.time, before, full, y) : full;
       const bool rest_of_step = off_grid;
@@ -98,6 +110,8 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     end.ending = Ending::diverged;
     end.reason = failure.what();
   }
+  end.events = stepper.events();
+  end.event_evaluations = stepper.evaluations();
   return end;
 }
 

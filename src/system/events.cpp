@@ -1,0 +1,182 @@
+#include "system/events.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "system/observe.h"
+
+namespace furrow {
+namespace {
+
+constexpr int most_events_in_a_step = 50;
+constexpr long enough_to_judge = 200;  // steps, after which at most every second one may hold an event
+
+Regime::Phase phase_of(const TouchBlock& c, int k, double friction) {
+  if (friction == 0 || !(c.normal[k] > 0)) return Regime::sticks;
+  const double limit = friction * c.normal[k];
+  const double reach = limit / c.shear_stiffness[k];
+  const double stick = c.shear_stiffness[k] * c.spring[k] + c.shear_viscosity[k] * c.slip[k];
+  // A spring beyond its reach will be returned to it, so the sign of the slip decides.
+  if (c.spring[k] >= reach ? c.slip[k] > 0 : stick > limit) return Regime::slides_forward;
+  if (c.spring[k] <= -reach ? c.slip[k] < 0 : stick < -limit) return Regime::slides_backward;
+  return Regime::sticks;
+}
+
+// s, a quarter of the contact's time scale, to a power of two: roots of the fifth order are not the same on every
+// machine.
+double time_scale(const ContactLaw& law, const TouchBlock& c, int k) {
+  const double beta = std::max(1.0, law.viscosity / (2 * std::sqrt(5.0 / 6.0)));
+  const double elastic = law.modulus * law.modulus * c.reduced_radius[k] * std::max(c.approach[k], 1e-6);
+  int exponent = 0;
+  std::frexp(c.reduced_mass[k] * c.reduced_mass[k] / (elastic * beta * beta * beta * beta), &exponent);
+  return std::ldexp(0.25, (exponent - (exponent % 5 + 5) % 5) / 5);
+}
+
+bool same_pair(const Regime::Pushing& one, const Regime::Pushing& other) {
+  return one.kind == other.kind && one.a == other.a && one.b == other.b;
+}
+
+double power(double x, int q) { return q == 4 ? x * x * x * x : x * x; }
+double root(double x, int q) { return q == 4 ? std::sqrt(std::sqrt(x)) : std::sqrt(x); }
+
+}  // namespace
+
+Regime regime(const System& system, double t, const State& y) {
+  Regime r;
+  const Parts& parts = system.parts();
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k) {
+      const ContactLaw& law = parts.law[c.law[k]];
+      if (c.normal[k] > law.floor) r.pushing.push_back({c.kind, c.a[k], c.b[k], phase_of(c, k, law.friction)});
+    }
+  });
+  if (parts.link.count() == 0) return r;
+  const std::vector<double> force = link_forces(system, y);
+  for (int k = 0; k < parts.link.count(); ++k) {
+    const double pull = parts.link.in_magnitude[k] != 0 ? std::fabs(force[k]) : force[k];
+    if (pull > parts.link.strength[k]) r.overstretched.push_back(k);
+  }
+  return r;
+}
+
+double EventSteps::step(double t, State& y, double end, double h, JumpReport& report) {
+  if (!started_) now_ = regime(system_, t, y);
+  started_ = true;
+  ++steps_;
+  const bool controlled = method_.info().controlled;
+  for (int found = 0; t < end;) {
+    const State before = y;
+    const double target = controlled ? end : next_time(t, end, h);
+    const bool whole = !controlled && std::fabs(target - t - h) < 1e-9 * h;  // round-off makes no other step
+    const double length = whole ? h : target - t;
+    const double taken = method_.step(system_, t, y, length);
+    const double reached = taken < length ? t + taken : target;
+    if (regime(system_, reached, y) == now_) {
+      accept(before, reached, y, taken, report);
+      t = reached;
+      if (controlled) break;
+      continue;
+    }
+    y = before;
+    method_.restart();
+    t = locate(t, y, reached, report);
+    if (++found > most_events_in_a_step || (steps_ > enough_to_judge && events_ > steps_ / 2))
+      throw Divergence("events come in nearly every step, " + std::to_string(events_) + " in " +
+                       std::to_string(steps_) + " steps: to locate them is for scenes with few; run it without");
+  }
+  return t;
+}
+
+// The end of the next step: of the usual one, or shorter behind a touch. A rest of less than half a step is not left.
+double EventSteps::next_time(double t, double end, double h) {
+  double length = end - t;
+  std::erase_if(grades_, [&](const Grade& g) {
+    const double s = root((t - g.start) / g.scale, g.power) + h / (g.power * g.scale);
+    const double graded = g.scale * power(s, g.power) - (t - g.start);
+    length = std::min(length, std::max(graded, 4e-15 * (t + h)));  // it must move the time
+    return graded >= h;
+  });
+  return end - t < 1.5 * length ? end : t + length;
+}
+
+void EventSteps::accept(const State& before, double t, State& y, double h, JumpReport& report) {
+  check_(before, y, h);
+  const JumpReport jump = system_.jump(t, y);
+  report.torn.insert(report.torn.end(), jump.torn.begin(), jump.torn.end());
+  report.springs_changed = report.springs_changed || jump.springs_changed;
+  if (jump.flow_jumped()) {
+    method_.restart();
+  } else if (jump.springs_changed) {
+    method_.state_changed();
+  }
+}
+
+// From (t, y) to just behind the event that a trial step met before `bound`. The first two steps stop short of it, so
+// that no stage of a method of some length sees the forces behind the event; the last one, which crosses, is short.
+double EventSteps::locate(double t, State& y, double bound, JumpReport& report) {
+  const double span = bound - t;
+  double short_of = 0.03;  // of the way; the error of the extrapolation goes with the square of the step
+  for (int tries = 0; tries < 12; ++tries) {
+    const double left = bound - t;
+    if (!(left > 0)) break;
+    const double ahead = first_change(t, y, left);
+    const bool crossing = ahead < 1e-4 * span;
+    const double want = crossing ? ahead * (1 + 1e-6) + 1e-9 * span : ahead * (1 - short_of);
+    const double h = std::min(want, left);
+    const State before = y;
+    const double taken = method_.step(system_, t, y, h);
+    const Regime then = regime(system_, t + taken, y);
+    if (!crossing && then != now_) {  // stop shorter
+      y = before;
+      method_.restart();
+      short_of = std::min(0.9, 4 * short_of);
+      continue;
+    }
+    t += taken;
+    accept(before, t, y, taken, report);
+    short_of = 1e-3;
+    if (then == now_) continue;
+    const Regime old = std::exchange(now_, regime(system_, t, y));
+    grade_touches(t, y, old);
+    method_.restart();
+    ++events_;
+    return t;
+  }
+  return t;  // the trial step saw what is not there
+}
+
+// How far off the regime changes, by halving, on  q + v s + a s^2/2,  v + a s  from here; `within` if it does not.
+double EventSteps::first_change(double t, const State& y, double within) {
+  rates_.resize(y.size());
+  ahead_.resize(y.size());
+  system_.rhs(t, y, rates_);
+  ++evaluations_;
+  const std::size_t n = system_.positions();
+  double low = 0;
+  double high = within;
+  for (int k = 0; k < 40 && high - low > 1e-7 * high; ++k) {
+    const double s = k == 0 ? high : 0.5 * (low + high);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      ahead_[i] = y[i] + s * (rates_[i] + (i < n ? 0.5 * s * rates_[n + i] : 0));
+    const bool changed = regime(system_, t + s, ahead_) != now_;
+    if (k == 0 && !changed) return within;
+    (changed ? high : low) = s;
+  }
+  return high;
+}
+
+void EventSteps::grade_touches(double t, const State& y, const Regime& before) {
+  system_.for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k) {
+      const Regime::Pushing one{c.kind, c.a[k], c.b[k], {}};
+      if (!(c.normal[k] > system_.parts().law[c.law[k]].floor) ||
+          std::any_of(before.pushing.begin(), before.pushing.end(), [&](const auto& o) { return same_pair(one, o); }))
+        continue;
+      const ContactLaw& law = system_.parts().law[c.law[k]];
+      grades_.push_back({t, time_scale(law, c, k), law.viscosity > 0 ? 4 : 2});
+    }
+  });
+}
+
+}  // namespace furrow

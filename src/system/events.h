@@ -1,0 +1,76 @@
+// Steps that end at events: a contact begins or ends, its normal force is or is no longer held at zero, it starts or
+// stops to slide, a link exceeds its strength. Inside a step such an event costs a method its order: at most alpha + 1
+// is left where the force behind it grows like (t - t_event)^alpha. Here it is found and stepped on, and what the
+// method remembers is dropped. Behind a touch, where the force is a fractional power of the time, steps are graded,
+//
+//   t = t_touch + T s^q,  s uniform,  q = 2 without and 4 with damping:  order min(p, q (alpha + 1))
+//
+// with alpha = 3/2 for Hertz's law, 1/4 with damping in sqrt(Sn), so that any p up to 5 is restored. T is a quarter of
+// the contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5), to a power of two. Not located: a disc
+// that passes from one auxiliary point of a border to the next, a corner of a plate, the fractional power in front of
+// the end of an undamped contact, a tangential spring that reaches its limit while it slides (order 2 is left), and
+// what begins and ends within one step. Source of the order rule: graded meshes for weakly singular equations, Brunner
+// 1985 (Math. Comput. 45, 417).
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "methods/method.h"
+#include "system/system.h"
+
+namespace furrow {
+
+// The discrete side of a state: what pushes and how, which links are over their strength. A contact whose normal force
+// is held at zero does not push.
+struct Regime {
+  enum Phase { sticks, slides_forward, slides_backward };
+  struct Pushing {
+    ContactKind kind;
+    int a, b;
+    Phase phase;
+    bool operator==(const Pushing&) const = default;
+  };
+  std::vector<Pushing> pushing;
+  std::vector<int> overstretched;  // links
+  bool operator==(const Regime&) const = default;
+};
+Regime regime(const System& system, double t, const State& y);
+
+class EventSteps {
+ public:
+  // `check` throws Divergence if the step from one state to another is not sound.
+  using Check = std::function<void(const State& before, const State& after, double h)>;
+  EventSteps(System& system, Method& method, Check check)
+      : system_(system), method_(method), check_(std::move(check)) {}
+
+  // Carries y from t to `end`, or, for a controlled method, as far as it dares, applies the jumps on the way and
+  // reports them together. `h` is the usual step. Returns the time reached. Throws Divergence, also where events are
+  // too many for it to make sense.
+  double step(double t, State& y, double end, double h, JumpReport& report);
+
+  long events() const { return events_; }
+  long evaluations() const { return evaluations_; }  // of f, beside those of the method
+
+ private:
+  struct Grade {
+    double start, scale;  // s
+    int power;
+  };
+  double next_time(double t, double end, double h);
+  double locate(double t, State& y, double bound, JumpReport& report);
+  double first_change(double t, const State& y, double within);
+  void accept(const State& before, double t, State& y, double h, JumpReport& report);
+  void grade_touches(double t, const State& y, const Regime& before);
+
+  System& system_;
+  Method& method_;
+  Check check_;
+  bool started_ = false;
+  Regime now_;                 // of the accepted state
+  std::vector<Grade> grades_;  // of the last touches
+  long events_ = 0, evaluations_ = 0, steps_ = 0;
+  State rates_, ahead_;
+};
+
+}  // namespace furrow
