@@ -22,15 +22,15 @@ JumpReport System::jump(double t, State& y) {
 void System::return_springs(double t, State& y, JumpReport& report) {
   ++slots_.nearness.now;
   relaxed_.assign(static_cast<std::size_t>(spring_count_), 0.0);
+  double nowhere = 0;
   known_rates_.resize(y.size());
   begin_rates(y, known_rates_);
   for_each_block(t, y, &slots_, [&](const TouchBlock& c) {
     for (int k = 0; k < c.count; ++k) {
       const int slot = c.slot[k];
-      if (slot < 0) continue;
       const double returned = c.spring[k];
-      relaxed_[slot] = returned;
-      if (!keeps_ledger_) continue;
+      *(slot < 0 ? &nowhere : &relaxed_[slot]) = returned;
+      if (!keeps_ledger_ || slot < 0) continue;
       const double spring = y[springs_ + slot];
       y[ledger_of(friction_work)] += 0.5 * c.shear_stiffness[k] * (spring * spring - returned * returned);
     }

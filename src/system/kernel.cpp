@@ -15,63 +15,44 @@ FURROW_LANES int whole_lanes(int count) { return (count + TouchBlock::lanes - 1)
 
 using Four [[gnu::vector_size(32)]] = double;
 
-// Without a branch: a quarter of the candidates or so does not touch, and which ones cannot be foretold.
-template <bool Noting>
-FURROW_LANES void narrow_lanes(TouchBlock& c, Candidates& list, int first, int last, const PackedDisc* disc,
-                               Nearness* nearness) {
-  const int* a = list.a.data();
-  const int* b = list.b.data();
-  const int* slot = list.slot.data();
-  std::uint32_t* near_at = list.near_at.data();
-  const double margin = Noting ? nearness->margin : 0;
-  const std::uint32_t now = Noting ? nearness->now : 0;
-  int count = 0;
-  int changed = 0;
-  for (int k = first; k < last; ++k) {
-    const PackedDisc& p = disc[a[k]];
-    const PackedDisc& q = disc[b[k]];
-    Four own, other;
-    std::memcpy(&own, &p, sizeof own);
-    std::memcpy(&other, &q, sizeof other);
-    const Four difference = own - other;
-    std::memcpy(&c.pair[count].dx, &difference, sizeof difference);
-    std::memcpy(&c.pair[count].spin_a, &p.spin, 2 * sizeof p.spin);
-    std::memcpy(&c.pair[count].spin_b, &q.spin, 2 * sizeof q.spin);
-    c.candidate[count] = k;
-    c.a[count] = a[k];
-    c.b[count] = b[k];
-    const double distance2 = difference[0] * difference[0] + difference[1] * difference[1];
-    const double within = p.radius + q.radius;
-    count += distance2 < within * within ? 1 : 0;
-    if constexpr (Noting) {
-      const double reach = within + margin;
-      const bool near = distance2 < reach * reach;
-      const bool held = slot[k] >= 0;
-      const std::uint32_t last_near = near ? now : near_at[k];
-      near_at[k] = last_near;
-      nearness->candidate[changed] = k;
-      changed += static_cast<int>(near & !held) | static_cast<int>((now - last_near > quiet_jumps) & held);
-    }
+FURROW_LANES void pair_up(TouchBlock& c, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second) {
+  for (int k = 0; k < c.count; ++k) {
+    const TouchBlock::DiscPair& p = first[c.a[k]];
+    const TouchBlock::DiscPair& q = second[c.b[k]];
+    c.pair[k] = {p.dx - q.dx,         p.dy - q.dy,
+                 p.vx - q.vx,         p.vy - q.vy,
+                 p.spin_a - q.spin_a, p.radius_a - q.radius_a,
+                 p.spin_b - q.spin_b, p.radius_b - q.radius_b};
   }
-  c.count = count;
-  if constexpr (Noting) nearness->changed = changed;
 }
 
-FURROW_LANES void narrow(TouchBlock& c, Candidates& list, int first, int last, const PackedDisc* disc,
-                         Nearness* nearness) {
-  if (nearness) {
-    narrow_lanes<true>(c, list, first, last, disc, nearness);
-  } else {
-    narrow_lanes<false>(c, list, first, last, disc, nullptr);
+FURROW_LANES bool note_near(const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness) {
+  const double margin = nearness.margin;
+  const std::uint32_t now = nearness.now;
+  TouchBlock::Lanes<std::uint32_t> near;
+  for (int k = 0; k < c.count; ++k) {
+    const TouchBlock::DiscPair& p = c.pair[k];
+    const double reach = p.radius_a + p.radius_b + margin;
+    near[k] = p.dx * p.dx + p.dy * p.dy < reach * reach ? 1 : 0;
   }
+  std::uint32_t changes = 0;
+  for (int k = 0; k < c.count; ++k) {
+    near_at[k] = near[k] != 0 ? now : near_at[k];
+    changes |= slot_changes(c.slot[k], near_at[k], now) ? 1 : 0;
+  }
+  return changes != 0;
 }
 
 FURROW_LANES void disc_geometry(TouchBlock& c, double lever) {
   const double half = 0.5 * lever;
   for (int k = 0; k < whole_lanes(c.count); ++k) {
     const TouchBlock::DiscPair& p = c.pair[k];
-    const double distance = std::sqrt(p.dx * p.dx + p.dy * p.dy);
-    const double overlap = p.radius_a + p.radius_b - distance;
+    const double distance2 = p.dx * p.dx + p.dy * p.dy;
+    const double within = p.radius_a + p.radius_b;
+    const double distance = std::sqrt(distance2);
+    const bool touching = distance2 < within * within;
+    const double overlap = touching ? within - distance : 0;
+    c.touching[k] = touching ? 1 : 0;
     c.nx[k] = p.dx / distance;
     c.ny[k] = p.dy / distance;
     c.overlap[k] = overlap;
@@ -99,12 +80,12 @@ FURROW_LANES void law_lanes(TouchBlock& c, const ContactModel& model) {
                 c.reduced_radius[k], c.reduced_mass[k]};
     TouchForce f = hertz_mindlin<Rolling>(law, touch, rolling_smoothing);
     if constexpr (Returning) {
-      touch.spring = returned_spring(law, f, touch.spring);
+      touch.spring = c.touching[k] != 0 ? returned_spring(law, f, touch.spring) : 0;
       c.spring[k] = touch.spring;
       f = hertz_mindlin<Rolling>(law, touch, rolling_smoothing);
     }
     c.approach[k] = approach;
-    c.slip[k] = slip;
+    c.slip[k] = c.touching[k] != 0 ? slip : 0;
     c.elastic[k] = f.elastic;
     c.normal[k] = f.normal;
     c.tangential[k] = f.tangential;
@@ -133,9 +114,11 @@ FURROW_LANES void evaluate(TouchBlock& c, const ContactModel& model, bool return
   model.one_law ? choose_law<true>(c, model, returning) : choose_law<false>(c, model, returning);
 }
 
-// The pairs of one disc as `a` follow each other: its sum stays at hand, a store and load a pair would be waited for.
+// The pairs of one disc as `a` follow each other: its sum stays in a register. To load it all the same, and drop it,
+// would mean to wait for the last store; so nothing is loaded from there.
 FURROW_LANES void add(const TouchBlock& c, DiscLoad* sum) {
   const Four sign{-1, -1, 1, 1};
+  const DiscLoad none{};
   Four on_a{};
   int before = -1;
   for (int k = 0; k < c.count; ++k) {
@@ -143,7 +126,7 @@ FURROW_LANES void add(const TouchBlock& c, DiscLoad* sum) {
     const int b = c.b[k];
     const Four load{c.fx[k], c.fy[k], c.torque_a[k], c.torque_b[k]};
     Four sum_a, sum_b;
-    std::memcpy(&sum_a, &sum[a], sizeof sum_a);
+    std::memcpy(&sum_a, a == before ? &none : &sum[a], sizeof sum_a);
     std::memcpy(&sum_b, &sum[b], sizeof sum_b);
     const auto same = -static_cast<long long>(a == before);
     const decltype(sum_a == sum_b) mask{same, same, same, same};
@@ -157,16 +140,18 @@ FURROW_LANES void add(const TouchBlock& c, DiscLoad* sum) {
 
 // The loops above for one kind of processor.
 // NOLINTBEGIN(bugprone-macro-parentheses): a name and an attribute cannot stand in parentheses
-#define FURROW_KERNEL(width, target)                                                                       \
-  target void narrow_##width(TouchBlock& c, Candidates& list, int first, int last, const PackedDisc* disc, \
-                             Nearness* nearness) {                                                         \
-    narrow(c, list, first, last, disc, nearness);                                                          \
-  }                                                                                                        \
-  target void evaluate_##width(TouchBlock& c, const ContactModel& model, bool returning) {                 \
-    evaluate(c, model, returning);                                                                         \
-  }                                                                                                        \
-  target void add_##width(const TouchBlock& c, DiscLoad* sum) { add(c, sum); }                             \
-  constexpr Kernel kernel_##width{#width, narrow_##width, evaluate_##width, add_##width};
+#define FURROW_KERNEL(width, target)                                                                                  \
+  target void pair_up_##width(TouchBlock& c, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second) { \
+    pair_up(c, first, second);                                                                                        \
+  }                                                                                                                   \
+  target bool note_near_##width(const TouchBlock& c, std::uint32_t* near_at, const Nearness& n) {                     \
+    return note_near(c, near_at, n);                                                                                  \
+  }                                                                                                                   \
+  target void evaluate_##width(TouchBlock& c, const ContactModel& model, bool returning) {                            \
+    evaluate(c, model, returning);                                                                                    \
+  }                                                                                                                   \
+  target void add_##width(const TouchBlock& c, DiscLoad* sum) { add(c, sum); }                                        \
+  constexpr Kernel kernel_##width{#width, pair_up_##width, note_near_##width, evaluate_##width, add_##width};
 // NOLINTEND(bugprone-macro-parentheses)
 
 FURROW_KERNEL(none, )

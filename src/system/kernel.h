@@ -8,22 +8,14 @@
 
 namespace furrow {
 
-// What a pair needs of each of its discs, on one line of the cache. Minus, so that one subtraction of all four gives
-// the differences as in DiscPair.
-struct alignas(64) PackedDisc {
-  double minus_x, minus_y, vx, vy, spin, radius;
-};
-
 struct alignas(32) DiscLoad {
   double fx, fy, torque, unused;
 };
 
-// Which candidates should take a slot for a tangential spring or give theirs back.
+// When a candidate should take a slot for a tangential spring or give it back.
 struct Nearness {
   double margin;      // m
   std::uint32_t now;  // number of this jump
-  int changed = 0;    // how many
-  TouchBlock::Lanes<int> candidate{};
 };
 
 struct ContactModel {
@@ -37,9 +29,11 @@ struct ContactModel {
 struct Kernel {
   const char* name;
 
-  // Fills the block with those of the candidates [first, last), at most as many as it holds, that overlap. `nearness`,
-  // if given, takes note of who is near.
-  void (*narrow)(TouchBlock&, Candidates&, int first, int last, const PackedDisc*, Nearness* nearness);
+  // Fills the pairs of the block from what each disc brings as the first and as the second of a pair.
+  void (*pair_up)(TouchBlock&, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second);
+
+  // Takes note of which pairs are near. True if one of them should take a slot or give it back.
+  bool (*note_near)(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
 
   // Runs the contact law over the block; `returning`: with the springs returned to the Coulomb limit.
   void (*evaluate)(TouchBlock&, const ContactModel&, bool returning);

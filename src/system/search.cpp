@@ -8,7 +8,7 @@
 namespace furrow {
 namespace {
 
-constexpr double skin_of_radius = 0.3;    // times the least radius; measured: flat between 0.2 and 0.5
+constexpr double skin_of_radius = 0.15;   // times the least radius; measured: flat between 0.1 and 0.2
 constexpr double margin_of_radius = 0.1;  // times the least radius
 
 double least_radius(const Parts& parts) {

@@ -16,6 +16,11 @@ namespace furrow {
 // method, so that nothing of the old contact reaches the new one.
 inline constexpr std::uint32_t quiet_jumps = 8;
 
+// Whether a candidate should take a slot or give it back.
+inline bool slot_changes(int slot, std::uint32_t near_at, std::uint32_t now) {
+  return slot < 0 ? near_at == now : now - near_at > quiet_jumps;
+}
+
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
 struct Candidates {
   std::vector<int> a, b;

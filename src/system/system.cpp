@@ -65,7 +65,8 @@ System::System(const Scene& scene)
   node_fx_.resize(nodes_.x.size());
   node_fy_.resize(nodes_.x.size());
   disc_load_.resize(parts_.disc.radius.size());
-  packed_.resize(parts_.disc.radius.size());
+  first_of_pair_.resize(parts_.disc.radius.size());
+  second_of_pair_.resize(parts_.disc.radius.size());
 
   disc_start_ = scene.disc;
 }
@@ -165,9 +166,8 @@ void System::add_contacts(const TouchBlock& c, double t, State& dydt) const {
   }
   if (friction_) {
     double* rate = dydt.data() + springs_;
-    for (int k = 0; k < c.count; ++k) {
-      if (c.slot[k] >= 0) rate[c.slot[k]] = c.slip[k];
-    }
+    double nowhere = 0;
+    for (int k = 0; k < c.count; ++k) *(c.slot[k] < 0 ? &nowhere : rate + c.slot[k]) = c.slip[k];
   }
   if (keeps_ledger_) add_to_ledger(c, dydt.data() + ledger_, t);
 }

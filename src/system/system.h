@@ -97,8 +97,6 @@ class System : public OdeSystem {
     std::vector<int> unused;
     Nearness nearness;
 
-    void take_changed(Candidates& list);
-    void take_or_give_back(Candidates& list, int candidate);
     void see(Candidates& list, int candidate, bool near);
   };
 
@@ -107,8 +105,9 @@ class System : public OdeSystem {
   void pack_discs(const State& y) const;
   template <class Sink>
   void for_each_block(double t, const State& y, Slots* slots, Sink&& sink) const;
-  void fill(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
+  void fill_discs(int first, int last, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
+  void take_springs(const State& y) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
   void add_contacts(const TouchBlock& block, double t, State& dydt) const;
@@ -138,7 +137,7 @@ class System : public OdeSystem {
   mutable NeighbourSearch search_;
   mutable Nodes nodes_;
   mutable std::vector<double> node_fx_, node_fy_;
-  mutable std::vector<PackedDisc> packed_;
+  mutable std::vector<TouchBlock::DiscPair> first_of_pair_, second_of_pair_;
   mutable std::vector<DiscLoad> disc_load_;
   mutable TouchBlock block_;
   double known_time_ = 0;
@@ -154,17 +153,26 @@ void System::for_each_block(double t, const State& y, Slots* slots, Sink&& sink)
   for (int kind = 0; kind < contact_kinds; ++kind) {
     const int count = search_.candidates[kind].count();
     for (int first = 0; first < count; first += TouchBlock::capacity) {
-      fill(static_cast<ContactKind>(kind), first, std::min(count, first + TouchBlock::capacity), t, y, slots);
+      const int last = std::min(count, first + TouchBlock::capacity);
+      if (kind == disc_disc) {
+        fill_discs(first, last, slots);
+      } else {
+        fill_flat(static_cast<ContactKind>(kind), first, last, t, y, slots);
+      }
       if (block_.count == 0) continue;
+      take_springs(y);
       kernel_->evaluate(block_, model, slots != nullptr);
-      sink(static_cast<const TouchBlock&>(block_));
+      sink(block_);
     }
   }
 }
 
 template <class Sink>
 void System::for_each_touch(double t, const State& y, Sink&& sink) const {
-  for_each_block(t, y, nullptr, sink);
+  for_each_block(t, y, nullptr, [&](TouchBlock& c) {
+    if (c.kind == disc_disc) c.keep_touching();
+    if (c.count > 0) sink(static_cast<const TouchBlock&>(c));
+  });
 }
 
 }  // namespace furrow

@@ -1,16 +1,34 @@
 // Fills blocks of touching contacts with their geometry.
+#include <algorithm>
 #include <cmath>
 
 #include "system/system.h"
 
 namespace furrow {
 
-void System::Slots::take_changed(Candidates& list) {
-  for (int i = 0; i < nearness.changed; ++i) take_or_give_back(list, nearness.candidate[i]);
+void TouchBlock::keep_touching() {
+  Lanes<int> lane;
+  int n = 0;
+  for (int k = 0; k < count; ++k) {
+    if (touching[k] != 0) lane[n++] = k;
+  }
+  const auto keep = [&](auto&... field) {
+    const auto move = [&](auto& values) {
+      for (int i = 0; i < n; ++i) values[i] = values[lane[i]];
+    };
+    (move(field), ...);
+  };
+  keep(a, b, law, slot, touching, nx, ny, overlap, vx, vy, spin_a, spin_b, radius_a, radius_b, arm_a, arm_b);
+  keep(reduced_radius, reduced_mass, spring, approach, slip, elastic, normal, tangential, moment, stiffness);
+  keep(shear_stiffness, shear_viscosity, fx, fy, torque_a, torque_b);
+  count = n;
 }
 
-void System::Slots::take_or_give_back(Candidates& list, int candidate) {
+// A near contact gets a slot, one that has long been apart gives it back.
+void System::Slots::see(Candidates& list, int candidate, bool near) {
   int& slot = list.slot[candidate];
+  if (near) list.near_at[candidate] = nearness.now;
+  if (!slot_changes(slot, list.near_at[candidate], nearness.now)) return;
   if (slot >= 0) {
     unused.push_back(slot);
     slot = -1;
@@ -21,40 +39,41 @@ void System::Slots::take_or_give_back(Candidates& list, int candidate) {
   unused.pop_back();
 }
 
-// A near contact gets a slot, one that has long been apart gives it back.
-void System::Slots::see(Candidates& list, int candidate, bool near) {
-  const bool held = list.slot[candidate] >= 0;
-  if (near) list.near_at[candidate] = nearness.now;
-  if (near ? !held : held && nearness.now - list.near_at[candidate] > quiet_jumps) take_or_give_back(list, candidate);
-}
-
 void System::pack_discs(const State& y) const {
   for (int i = 0; i < parts_.disc.count(); ++i) {
-    packed_[i] = {-y[x_of(i)],          -y[y_of(i)], y[vx_of(i)], y[vy_of(i)], friction_ ? y[spin_of(i)] : 0,
-                  parts_.disc.radius[i]};
+    const double spin = friction_ ? y[spin_of(i)] : 0;
+    const double radius = parts_.disc.radius[i];
+    first_of_pair_[i] = {-y[x_of(i)], -y[y_of(i)], y[vx_of(i)], y[vy_of(i)], spin, radius, 0, 0};
+    second_of_pair_[i] = {-y[x_of(i)], -y[y_of(i)], y[vx_of(i)], y[vy_of(i)], 0, 0, -spin, -radius};
   }
 }
 
-// The block of those of the candidates [first, last) that touch.
-void System::fill(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
-  Candidates& list = search_.candidates[kind];
+// The block of the candidates [first, last). Discs that do not touch stay in it: with a list so close, leaving them out
+// costs more.
+void System::fill_discs(int first, int last, Slots* slots) const {
+  Candidates& list = search_.candidates[disc_disc];
   TouchBlock& c = block_;
-  c.kind = kind;
-  if (kind == disc_disc) {
-    kernel_->narrow(c, list, first, last, packed_.data(), slots ? &slots->nearness : nullptr);
-    if (slots) slots->take_changed(list);
-  } else {
-    fill_flat(kind, first, last, t, y, slots);
+  c.kind = disc_disc;
+  c.count = last - first;
+  const auto take = [&](const auto& from, auto& to) { std::copy(&from[first], &from[first] + c.count, &to[0]); };
+  take(list.a, c.a);
+  take(list.b, c.b);
+  take(list.slot, c.slot);
+  take(list.law, c.law);
+  take(list.reduced_radius, c.reduced_radius);
+  take(list.reduced_mass, c.reduced_mass);
+  kernel_->pair_up(c, first_of_pair_.data(), second_of_pair_.data());
+  if (slots && kernel_->note_near(c, &list.near_at[first], slots->nearness)) {
+    for (int k = first; k < last; ++k) slots->see(list, k, false);
+    take(list.slot, c.slot);
   }
+}
+
+void System::take_springs(const State& y) const {
   const double* spring = y.data() + springs_;
-  for (int i = 0; i < c.count; ++i) {
-    const int k = c.candidate[i];
-    const int slot = list.slot[k];
-    c.law[i] = list.law[k];
-    c.slot[i] = slot;
-    c.reduced_radius[i] = list.reduced_radius[k];
-    if (kind != disc_lattice) c.reduced_mass[i] = list.reduced_mass[k];
-    c.spring[i] = slot < 0 ? 0 : spring[slot];
+  for (int k = 0; k < block_.count; ++k) {
+    const int slot = block_.slot[k];
+    block_.spring[k] = slot < 0 ? 0 : spring[slot];
   }
 }
 
@@ -80,6 +99,7 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
 void System::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
   Candidates& list = search_.candidates[kind];
   TouchBlock& c = block_;
+  c.kind = kind;
   const Placement now = placement(t, y);
   const bool disc = of_disc(kind);
   const double lever = disc ? lever_ : 0;  // a node has no arm
@@ -114,9 +134,13 @@ void System::fill_flat(ContactKind kind, int first, int last, double t, const St
     }
     if (slots) slots->see(list, k, gap.gap < search_.margin);
     if (!(gap.gap < 0)) continue;
-    c.candidate[n] = k;
     c.a[n] = a;
     c.b[n] = b;
+    c.law[n] = list.law[k];
+    c.slot[n] = list.slot[k];
+    c.touching[n] = 1;
+    c.reduced_radius[n] = list.reduced_radius[k];
+    if (kind != disc_lattice) c.reduced_mass[n] = list.reduced_mass[k];
     c.nx[n] = gap.nx;
     c.ny[n] = gap.ny;
     c.overlap[n] = -gap.gap;

@@ -16,15 +16,18 @@ struct TouchBlock {
   using Lanes = std::array<T, capacity>;
 
   // Of two discs: differences b - a of position (m), a - b of velocity (m/s); spin (rad/s) and radius (m) of each.
-  struct DiscPair {
+  // It is itself the difference of what the two bring: -x, -y, vx, vy, spin, radius, 0, 0 the first of a pair and
+  // -x, -y, vx, vy, 0, 0, -spin, -radius the second. One line of the cache each.
+  struct alignas(64) DiscPair {
     double dx, dy, vx, vy, spin_a, radius_a, spin_b, radius_b;
   };
 
   ContactKind kind = disc_disc;
   int count = 0;
-  Lanes<int> candidate{}, a{}, b{}, law{};
+  Lanes<int> a{}, b{}, law{};
   Lanes<int> slot{};                                 // of the tangential spring; -1: none
   Lanes<int> segment{};                              // disc-lattice: index into Parts::border
+  alignas(64) Lanes<double> touching{};              // 1, or 0 and then all forces are 0
   alignas(64) Lanes<DiscPair> pair{};                // disc-disc: what the geometry below is made from
   alignas(64) Lanes<double> share{};                 // disc-lattice: 0 at node a of the segment, 1 at node b
   alignas(64) Lanes<double> nx{}, ny{};              // unit vector from a to b
@@ -40,6 +43,9 @@ struct TouchBlock {
   alignas(64) Lanes<double> elastic{}, normal{}, tangential{}, moment{};
   alignas(64) Lanes<double> stiffness{}, shear_stiffness{}, shear_viscosity{};
   alignas(64) Lanes<double> fx{}, fy{}, torque_a{}, torque_b{};
+
+  // Leaves only the lanes that touch.
+  void keep_touching();
 
   double force_x(int k) const { return fx[k]; }
   double force_y(int k) const { return fy[k]; }
