@@ -174,7 +174,7 @@ class Judgement {
 std::vector<Member> members_of(const Settings& settings) {
   std::vector<Member> all{{"scenario_1", Reading::disc, 1}};
   const std::uint64_t discs = settings.quick ? 2 : 100;
-  const std::uint64_t spheres = settings.quick ? 0 : 20;
+  const std::uint64_t spheres = settings.quick ? 0 : 8;
   for (const char* scene : {"scenario_2", "scenario_3"}) {
     for (std::uint64_t seed = 1; seed <= discs; ++seed) all.push_back({scene, Reading::disc, seed});
     for (std::uint64_t seed = 1; seed <= spheres; ++seed) all.push_back({scene, Reading::sphere, seed});
