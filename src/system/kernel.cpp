@@ -43,75 +43,105 @@ FURROW_LANES bool note_near(const TouchBlock& c, std::uint32_t* near_at, const N
   return changes != 0;
 }
 
-FURROW_LANES void disc_geometry(TouchBlock& c, double lever) {
+// What the law needs of one contact, all kinds alike.
+struct Lane {
+  double nx, ny, overlap, vx, vy, spin_a, spin_b, radius_a, radius_b, arm_a, arm_b;
+  bool touching;
+};
+
+FURROW_LANES Lane lane_of_discs(const TouchBlock& c, int k, double lever) {
+  const TouchBlock::DiscPair& p = c.pair[k];
   const double half = 0.5 * lever;
-  for (int k = 0; k < whole_lanes(c.count); ++k) {
-    const TouchBlock::DiscPair& p = c.pair[k];
-    const double distance2 = p.dx * p.dx + p.dy * p.dy;
-    const double within = p.radius_a + p.radius_b;
-    const double distance = std::sqrt(distance2);
-    const bool touching = distance2 < within * within;
-    const double overlap = touching ? within - distance : 0;
-    c.touching[k] = touching ? 1 : 0;
-    c.nx[k] = p.dx / distance;
-    c.ny[k] = p.dy / distance;
-    c.overlap[k] = overlap;
-    c.vx[k] = p.vx;
-    c.vy[k] = p.vy;
-    c.spin_a[k] = p.spin_a;
-    c.spin_b[k] = p.spin_b;
-    c.radius_a[k] = p.radius_a;
-    c.radius_b[k] = p.radius_b;
-    c.arm_a[k] = p.radius_a - half * overlap;
-    c.arm_b[k] = p.radius_b - half * overlap;
-  }
+  const double distance2 = p.dx * p.dx + p.dy * p.dy;
+  const double within = p.radius_a + p.radius_b;
+  const double distance = std::sqrt(distance2);
+  const bool touching = distance2 < within * within;
+  const double overlap = touching ? within - distance : 0;
+  return {p.dx / distance,
+          p.dy / distance,
+          overlap,
+          p.vx,
+          p.vy,
+          p.spin_a,
+          p.spin_b,
+          p.radius_a,
+          p.radius_b,
+          p.radius_a - half * overlap,
+          p.radius_b - half * overlap,
+          touching};
 }
 
-template <bool OneLaw, bool Rolling, bool Returning>
+FURROW_LANES Lane lane_as_filled(const TouchBlock& c, int k) {
+  return {c.nx[k],     c.ny[k],       c.overlap[k],  c.vx[k],    c.vy[k],    c.spin_a[k],
+          c.spin_b[k], c.radius_a[k], c.radius_b[k], c.arm_a[k], c.arm_b[k], true};
+}
+
+// What only an onlooker and the ledger need.
+FURROW_LANES void store_details(TouchBlock& c, int k, const Lane& lane, const TouchForce& f) {
+  c.touching[k] = lane.touching ? 1 : 0;
+  c.nx[k] = lane.nx;
+  c.ny[k] = lane.ny;
+  c.overlap[k] = lane.overlap;
+  c.vx[k] = lane.vx;
+  c.vy[k] = lane.vy;
+  c.radius_a[k] = lane.radius_a;
+  c.radius_b[k] = lane.radius_b;
+  c.spin_a[k] = lane.spin_a;
+  c.spin_b[k] = lane.spin_b;
+  c.arm_a[k] = lane.arm_a;
+  c.arm_b[k] = lane.arm_b;
+  c.elastic[k] = f.elastic;
+  c.normal[k] = f.normal;
+  c.tangential[k] = f.tangential;
+  c.moment[k] = f.moment;
+  c.stiffness[k] = f.stiffness;
+  c.shear_stiffness[k] = f.shear_stiffness;
+  c.shear_viscosity[k] = f.shear_viscosity;
+}
+
+template <bool Discs, bool OneLaw, bool Rolling, bool Returning, bool Details>
 FURROW_LANES void law_lanes(TouchBlock& c, const ContactModel& model) {
   const ContactLaw* laws = model.law;
   const ContactLaw only = *laws;
   const double rolling_smoothing = model.rolling_smoothing;
+  const double lever = model.lever;
   for (int k = 0; k < whole_lanes(c.count); ++k) {
     const ContactLaw& law = OneLaw ? only : laws[c.law[k]];
-    const double approach = c.vx[k] * c.nx[k] + c.vy[k] * c.ny[k];
-    const double slip = c.vy[k] * c.nx[k] - c.vx[k] * c.ny[k] + (c.spin_a[k] * c.arm_a[k] + c.spin_b[k] * c.arm_b[k]);
-    Touch touch{c.overlap[k],        approach,         slip, c.spring[k], c.spin_a[k] - c.spin_b[k],
+    const Lane lane = Discs ? lane_of_discs(c, k, lever) : lane_as_filled(c, k);
+    const double approach = lane.vx * lane.nx + lane.vy * lane.ny;
+    const double slip = lane.vy * lane.nx - lane.vx * lane.ny + (lane.spin_a * lane.arm_a + lane.spin_b * lane.arm_b);
+    Touch touch{lane.overlap,        approach,         slip, c.spring[k], lane.spin_a - lane.spin_b,
                 c.reduced_radius[k], c.reduced_mass[k]};
     TouchForce f = hertz_mindlin<Rolling>(law, touch, rolling_smoothing);
     if constexpr (Returning) {
-      touch.spring = c.touching[k] != 0 ? returned_spring(law, f, touch.spring) : 0;
+      touch.spring = lane.touching ? returned_spring(law, f, touch.spring) : 0;
       c.spring[k] = touch.spring;
       f = hertz_mindlin<Rolling>(law, touch, rolling_smoothing);
     }
-    c.approach[k] = approach;
-    c.slip[k] = c.touching[k] != 0 ? slip : 0;
-    c.elastic[k] = f.elastic;
-    c.normal[k] = f.normal;
-    c.tangential[k] = f.tangential;
-    c.moment[k] = f.moment;
-    c.stiffness[k] = f.stiffness;
-    c.shear_stiffness[k] = f.shear_stiffness;
-    c.shear_viscosity[k] = f.shear_viscosity;
-    c.fx[k] = -f.normal * c.nx[k] - f.tangential * c.ny[k];
-    c.fy[k] = -f.normal * c.ny[k] + f.tangential * c.nx[k];
-    c.torque_a[k] = c.arm_a[k] * f.tangential + f.moment;
-    c.torque_b[k] = c.arm_b[k] * f.tangential - f.moment;
+    if constexpr (Details) {
+      store_details(c, k, lane, f);
+      c.approach[k] = approach;
+    }
+    c.slip[k] = lane.touching ? slip : 0;
+    c.fx[k] = -f.normal * lane.nx - f.tangential * lane.ny;
+    c.fy[k] = -f.normal * lane.ny + f.tangential * lane.nx;
+    c.torque_a[k] = lane.arm_a * f.tangential + f.moment;
+    c.torque_b[k] = lane.arm_b * f.tangential - f.moment;
   }
 }
 
-template <bool OneLaw>
-FURROW_LANES void choose_law(TouchBlock& c, const ContactModel& model, bool returning) {
-  if (model.rolling) {
-    returning ? law_lanes<OneLaw, true, true>(c, model) : law_lanes<OneLaw, true, false>(c, model);
+// From what is known at run time to a loop without questions.
+template <bool... Known, class... Asked>
+FURROW_LANES void choose_loop(TouchBlock& c, const ContactModel& model, bool first, Asked... asked) {
+  if constexpr (sizeof...(asked) == 0) {
+    first ? law_lanes<Known..., true>(c, model) : law_lanes<Known..., false>(c, model);
   } else {
-    returning ? law_lanes<OneLaw, false, true>(c, model) : law_lanes<OneLaw, false, false>(c, model);
+    first ? choose_loop<Known..., true>(c, model, asked...) : choose_loop<Known..., false>(c, model, asked...);
   }
 }
 
-FURROW_LANES void evaluate(TouchBlock& c, const ContactModel& model, bool returning) {
-  if (c.kind == disc_disc) disc_geometry(c, model.lever);
-  model.one_law ? choose_law<true>(c, model, returning) : choose_law<false>(c, model, returning);
+FURROW_LANES void evaluate(TouchBlock& c, const ContactModel& model, bool returning, bool details) {
+  choose_loop<>(c, model, c.kind == disc_disc, model.one_law, model.rolling, returning, details);
 }
 
 // The pairs of one disc as `a` follow each other: its sum stays in a register. To load it all the same, and drop it,
@@ -138,6 +168,34 @@ FURROW_LANES void add(const TouchBlock& c, DiscLoad* sum) {
   }
 }
 
+// The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St follows the overlap
+// (1/2 xi^2 dSt/dt, `stiffening`), which no force pays for: a property of Mindlin's law without rescaling.
+// First every lane, then the sums in the order of the contacts.
+FURROW_LANES void add_powers(const TouchBlock& c, bool friction, ContactPowers& sum) {
+  TouchBlock::Lanes<double> viscous, sticking, sliding, rolling, stiffening;
+  for (int k = 0; k < whole_lanes(c.count); ++k) {
+    const double stick = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
+    const double lost = -c.tangential[k] * c.slip[k] - c.shear_stiffness[k] * c.spring[k] * c.slip[k];
+    const bool sticks = stick == c.tangential[k];
+    viscous[k] = (c.normal[k] - c.elastic[k]) * c.approach[k];
+    sticking[k] = sticks ? lost : 0;
+    sliding[k] = sticks ? 0 : lost;
+    rolling[k] = c.moment[k] * (c.spin_a[k] - c.spin_b[k]);
+    const double rate = 0.25 * c.spring[k] * c.spring[k] * c.shear_stiffness[k] * c.approach[k] / c.overlap[k];
+    stiffening[k] = c.overlap[k] > 0 ? rate : 0;  // two discs exactly at touch have none
+  }
+  ContactPowers total = sum;
+  for (int k = 0; k < c.count; ++k) {
+    total.viscous += viscous[k];
+    if (!friction) continue;
+    total.viscous += sticking[k];
+    total.friction += sliding[k];
+    total.rolling -= rolling[k];
+    total.stiffening += stiffening[k];
+  }
+  sum = total;
+}
+
 // The loops above for one kind of processor.
 // NOLINTBEGIN(bugprone-macro-parentheses): a name and an attribute cannot stand in parentheses
 #define FURROW_KERNEL(width, target)                                                                                  \
@@ -147,11 +205,15 @@ FURROW_LANES void add(const TouchBlock& c, DiscLoad* sum) {
   target bool note_near_##width(const TouchBlock& c, std::uint32_t* near_at, const Nearness& n) {                     \
     return note_near(c, near_at, n);                                                                                  \
   }                                                                                                                   \
-  target void evaluate_##width(TouchBlock& c, const ContactModel& model, bool returning) {                            \
-    evaluate(c, model, returning);                                                                                    \
+  target void evaluate_##width(TouchBlock& c, const ContactModel& model, bool returning, bool details) {              \
+    evaluate(c, model, returning, details);                                                                           \
+  }                                                                                                                   \
+  target void add_powers_##width(const TouchBlock& c, bool friction, ContactPowers& sum) {                            \
+    add_powers(c, friction, sum);                                                                                     \
   }                                                                                                                   \
   target void add_##width(const TouchBlock& c, DiscLoad* sum) { add(c, sum); }                                        \
-  constexpr Kernel kernel_##width{#width, pair_up_##width, note_near_##width, evaluate_##width, add_##width};
+  constexpr Kernel kernel_##width{#width,           pair_up_##width, note_near_##width,                               \
+                                  evaluate_##width, add_##width,     add_powers_##width};
 // NOLINTEND(bugprone-macro-parentheses)
 
 FURROW_KERNEL(none, )

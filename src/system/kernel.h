@@ -26,6 +26,11 @@ struct ContactModel {
   double rolling_smoothing;  // rad/s
 };
 
+// Powers (W) by cause.
+struct ContactPowers {
+  double viscous, friction, rolling, stiffening;
+};
+
 struct Kernel {
   const char* name;
 
@@ -35,11 +40,15 @@ struct Kernel {
   // Takes note of which pairs are near. True if one of them should take a slot or give it back.
   bool (*note_near)(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
 
-  // Runs the contact law over the block; `returning`: with the springs returned to the Coulomb limit.
-  void (*evaluate)(TouchBlock&, const ContactModel&, bool returning);
+  // Runs the contact law over the block: slip, forces and torques. `returning`: with the springs returned to the
+  // Coulomb limit; `details`: all that the block names.
+  void (*evaluate)(TouchBlock&, const ContactModel&, bool returning, bool details);
 
   // Adds the loads of a block of disc pairs to those of the discs, in the order of the pairs.
   void (*add)(const TouchBlock&, DiscLoad*);
+
+  // Adds the powers of a block with details, contact by contact.
+  void (*add_powers)(const TouchBlock&, bool friction, ContactPowers&);
 };
 
 // The widest that the processor knows, or what the environment variable FURROW_VECTORS names: none, avx2, avx512.

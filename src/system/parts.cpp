@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "physics/disc.h"
@@ -130,6 +131,9 @@ class LatticeBuilder {
       for (int column = 0; column < lattice_.columns; ++column) {
         for (const Step& step : steps) {
           if (!inside(row + step.rows, column + step.columns)) continue;
+          if (kind == LinkClass::structural) {
+            structural_[{node(row, column), node(row + step.rows, column + step.columns)}] = links.count();
+          }
           links.a.push_back(node(row, column));
           links.b.push_back(node(row + step.rows, column + step.columns));
           links.rest.push_back(rest);
@@ -145,11 +149,8 @@ class LatticeBuilder {
   }
 
   int structural_link(int a, int b) const {
-    const LinkArrays& l = parts_.link;
-    for (int k = 0; k < l.count(); ++k) {
-      if (l.kind[k] == LinkClass::structural && l.a[k] == std::min(a, b) && l.b[k] == std::max(a, b)) return k;
-    }
-    return -1;
+    const auto found = structural_.find(std::minmax(a, b));
+    return found == structural_.end() ? -1 : found->second;
   }
 
   void add_segment(int a, int b) {
@@ -175,6 +176,7 @@ class LatticeBuilder {
   const Lattice& lattice_;
   Parts& parts_;
   int first_;
+  std::map<std::pair<int, int>, int> structural_;  // link by its nodes
 };
 
 }  // namespace

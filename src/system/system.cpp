@@ -126,7 +126,7 @@ void System::rhs(double t, const State& y, State& dydt) const {
     return;
   }
   begin_rates(y, dydt);
-  for_each_block(t, y, nullptr, [&](const TouchBlock& c) { add_contacts(c, t, dydt); });
+  for_each_block(t, y, nullptr, keeps_ledger_, [&](const TouchBlock& c) { add_contacts(c, t, dydt); });
   finish_rates(dydt);
 }
 
@@ -209,27 +209,17 @@ void System::add_link_forces(double* work) const {
   if (work) work[link_damping] = damping;
 }
 
-// Powers (W) by cause. The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St
-// follows the overlap (1/2 xi^2 dSt/dt, `stiffening`), which no force pays for: a property of Mindlin's law without
-// rescaling.
 void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
-  const bool plate = c.kind == disc_plate || c.kind == node_plate;
+  ContactPowers sum{work[contact_viscous], work[friction_work], work[rolling_work], work[stiffening]};
+  kernel_->add_powers(c, friction_, sum);
+  work[contact_viscous] = sum.viscous;
+  work[friction_work] = sum.friction;
+  work[rolling_work] = sum.rolling;
+  work[stiffening] = sum.stiffening;
+  if (c.kind != disc_plate && c.kind != node_plate) return;
   for (int k = 0; k < c.count; ++k) {
-    work[contact_viscous] += (c.normal[k] - c.elastic[k]) * c.approach[k];
-    if (plate) {
-      const PlateAt at = plate_at(c.b[k], t);
-      work[plate_work] += c.force_x(k) * at.vx + c.force_y(k) * at.vy;
-    }
-    if (!friction_) continue;
-    const bool held = c.slot[k] >= 0;
-    const double stored = held ? c.shear_stiffness[k] * c.spring[k] * c.slip[k] : 0;
-    const double lost = -c.tangential[k] * c.slip[k] - stored;
-    const double stick = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
-    work[stick == c.tangential[k] ? contact_viscous : friction_work] += lost;
-    work[rolling_work] -= c.moment[k] * (c.spin_a[k] - c.spin_b[k]);
-    if (c.overlap[k] > 0) {  // two discs exactly at touch have none
-      work[stiffening] += 0.25 * c.spring[k] * c.spring[k] * c.shear_stiffness[k] * c.approach[k] / c.overlap[k];
-    }
+    const PlateAt at = plate_at(c.b[k], t);
+    work[plate_work] += c.force_x(k) * at.vx + c.force_y(k) * at.vy;
   }
 }
 

@@ -104,7 +104,7 @@ class System : public OdeSystem {
   Placement placement(double t, const State& y) const;
   void pack_discs(const State& y) const;
   template <class Sink>
-  void for_each_block(double t, const State& y, Slots* slots, Sink&& sink) const;
+  void for_each_block(double t, const State& y, Slots* slots, bool details, Sink&& sink) const;
   void fill_discs(int first, int last, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
   void take_springs(const State& y) const;
@@ -145,7 +145,7 @@ class System : public OdeSystem {
 };
 
 template <class Sink>
-void System::for_each_block(double t, const State& y, Slots* slots, Sink&& sink) const {
+void System::for_each_block(double t, const State& y, Slots* slots, bool details, Sink&& sink) const {
   place_nodes(y);
   search_.update(parts_, placement(t, y));
   pack_discs(y);
@@ -161,7 +161,7 @@ void System::for_each_block(double t, const State& y, Slots* slots, Sink&& sink)
       }
       if (block_.count == 0) continue;
       take_springs(y);
-      kernel_->evaluate(block_, model, slots != nullptr);
+      kernel_->evaluate(block_, model, slots != nullptr, details);
       sink(block_);
     }
   }
@@ -169,7 +169,7 @@ void System::for_each_block(double t, const State& y, Slots* slots, Sink&& sink)
 
 template <class Sink>
 void System::for_each_touch(double t, const State& y, Sink&& sink) const {
-  for_each_block(t, y, nullptr, [&](TouchBlock& c) {
+  for_each_block(t, y, nullptr, true, [&](TouchBlock& c) {
     if (c.kind == disc_disc) c.keep_touching();
     if (c.count > 0) sink(static_cast<const TouchBlock&>(c));
   });
