@@ -1,0 +1,258 @@
+// furrow and other programs on the same scene, in turn. First whether they agree: height of the bed at rest, mean push
+// on the plate. Then the CPU time of a step: that of the whole process for all steps, less that for one step.
+//
+// usage: compare DECKS WORK FURROW RESULT ROUNDS    called by scripts/rivals
+// Exit codes: 0 good; 1 furrow itself failed; 4 input or output. A rival that fails or does not agree is a result.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "measuring/samples.h"
+#include "output/build_info.h"
+#include "output/files.h"
+#include "output/machine.h"
+#include "rivals/rivals.h"
+#include "system/observe.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using furrow::measuring::Interval;
+using furrow::measuring::rounded;
+using furrow::rivals::Bed;
+using furrow::rivals::Rival;
+using furrow::rivals::Task;
+using Json = nlohmann::ordered_json;
+
+constexpr double plate_speed = 0.1;                      // m/s
+constexpr long rest_steps = 5'000, push_steps = 30'000;  // the mean is over the last 28,000 of the latter
+constexpr long first_pushed = 2'000;
+constexpr int perturbed_runs = 8;
+
+// Rows of so many numbers, separated by spaces or commas; others are headings.
+std::vector<std::vector<double>> rows_of(const fs::path& file, std::size_t columns) {
+  std::ifstream stream(file);
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(stream, line);) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line);
+    std::vector<double> row;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      const double value = std::strtod(word.c_str(), &end);
+      if (*end == '\0') row.push_back(value);
+    }
+    if (row.size() == columns) rows.push_back(row);
+  }
+  return rows;
+}
+
+struct Seen {
+  double height = 0, push = 0;  // m, N
+};
+
+double height_of(const Bed& bed, const std::vector<std::vector<double>>& rows) {
+  const furrow::System& system = bed.prepared.system;
+  if (static_cast<int>(rows.size()) != system.parts().disc.count()) throw std::runtime_error("not all discs are there");
+  furrow::State y = bed.prepared.y;
+  for (int i = 0; i < system.parts().disc.count(); ++i) {
+    y[system.x_of(i)] = rows[i][1];
+    y[system.y_of(i)] = rows[i][2];
+  }
+  return furrow::surface_height(system, y);
+}
+
+double push_of(const std::vector<std::vector<double>>& rows, double steps_per_unit, std::size_t column) {
+  double sum = 0;
+  int count = 0;
+  for (const std::vector<double>& row : rows) {
+    if (row[0] * steps_per_unit < first_pushed) continue;
+    sum += row[column];
+    ++count;
+  }
+  if (count < 100) throw std::runtime_error("too few forces");
+  return std::fabs(sum / count);
+}
+
+fs::path cleared(const fs::path& directory) {
+  fs::remove_all(directory);
+  fs::create_directories(directory);
+  return directory;
+}
+
+Seen look(const Bed& bed, const Rival& rival) {
+  const fs::path place = bed.directory / "look";
+  const auto run = [&](double speed, long steps) {
+    const Task task{speed, steps, true, cleared(place)};
+    furrow::measuring::run_well(rival.command(bed, task));
+  };
+  run(0, rest_steps);
+  const bool own = rival.package.empty();
+  Seen seen;
+  seen.height = height_of(bed, own ? rows_of(place / "run/state.csv", 8) : rows_of(place / "end.txt", 3));
+  run(plate_speed, push_steps);
+  const double per_second = 1 / bed.prepared.scene.time.step;
+  seen.push = own ? push_of(rows_of(place / "run/plate_force.csv", 5), per_second, 2)
+                  : push_of(rows_of(place / "force.txt", 2), 1, 1);
+  return seen;
+}
+
+// How far one and the same program differs from itself when its discs start 1e-9 m elsewhere: the scene is chaotic.
+std::vector<double> pushes_from_nearby(const Bed& bed, const Rival& own) {
+  std::vector<double> pushes;
+  std::mt19937_64 random(1);
+  const auto shift = [&] { return 1e-9 * (static_cast<double>(random() >> 11) * 0x1p-52 - 1); };  // m
+  Bed nearby = bed;
+  nearby.directory = bed.directory / "nearby";
+  fs::create_directories(nearby.directory);
+  for (int k = 0; k < perturbed_runs; ++k) {
+    furrow::Scene scene = bed.prepared.scene;
+    for (furrow::Disc& d : scene.disc) d.position = {d.position.x + shift(), d.position.y + shift()};
+    furrow::rivals::write_scene(nearby, scene);
+    pushes.push_back(look(nearby, own).push);
+  }
+  return pushes;
+}
+
+struct Band {
+  double height, height_tolerance, push, push_tolerance;
+  bool holds(const Seen& seen) const {
+    return std::fabs(seen.height - height) <= height_tolerance && std::fabs(seen.push - push) <= push_tolerance;
+  }
+};
+
+// Push: four standard deviations of furrow's own runs. Height: a twentieth of a radius; a wrong mass, gravity or
+// stiffness moves it by more (half the stiffness: 4 % of the overlap times the number of layers).
+Band band_of(const Bed& bed, const Seen& own, const std::vector<double>& pushes) {
+  double mean = 0, square = 0;
+  for (const double p : pushes) mean += p / static_cast<double>(pushes.size());
+  for (const double p : pushes) square += (p - mean) * (p - mean) / static_cast<double>(pushes.size() - 1);
+  return {own.height, 0.05 * bed.prepared.scene.disc[0].radius, mean, 4 * std::sqrt(square)};
+}
+
+// s of CPU a step; what a process needs to start is measured apart and taken off.
+double step_time(const Bed& bed, const Rival& rival) {
+  const auto cpu = [&](long steps) {
+    const Task task{plate_speed, steps, false, cleared(bed.directory / "timed")};
+    return furrow::measuring::run_well(rival.command(bed, task)).cpu_seconds;
+  };
+  return (cpu(rival.steps) - cpu(1)) / static_cast<double>(rival.steps - 1);
+}
+
+// Contacts that touch, the mean over the run: what all programs evaluate, if they agree.
+double mean_contacts(const Bed& bed, const Rival& own) {
+  const fs::path place = cleared(bed.directory / "look");
+  furrow::measuring::run_well(own.command(bed, {plate_speed, own.steps, true, place}));
+  double sum = 0;
+  const auto rows = rows_of(place / "run/motion.csv", 8);
+  for (const auto& row : rows) sum += row[4];
+  return sum / static_cast<double>(rows.size());
+}
+
+std::string version_of(const std::string& package) {
+  if (package.empty()) return std::string(furrow::build_info().commit);
+  return furrow::measuring::run({.words = {"dpkg-query", "-W", "-f=${Version}", package}}).output;
+}
+
+struct Entry {
+  Rival rival;
+  Json json;
+  std::vector<double> times;  // s a step, by round
+  bool failed = false;
+};
+
+Entry looked_at(const Bed& bed, const Rival& rival, const Band& band) {
+  Entry entry{rival, {{"name", rival.name}, {"version", version_of(rival.package)}, {"law", rival.law}}, {}};
+  entry.json["evaluations"] = rival.evaluations;
+  try {
+    const Seen seen = look(bed, rival);
+    entry.json["height"] = rounded(seen.height);
+    entry.json["push"] = rounded(seen.push);
+    entry.json["agrees"] = band.holds(seen);
+  } catch (const std::exception& failure) {
+    entry.json["failed"] = rival.name + ": " + failure.what();
+    entry.failed = true;
+  }
+  std::fprintf(stderr, "%s\n", entry.json.dump().c_str());
+  return entry;
+}
+
+Json rounded_list(const std::vector<double>& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(rounded(value));
+  return list;
+}
+
+void conclude(Entry& entry, const std::vector<double>& own, double contacts) {
+  if (entry.failed) return;
+  const Interval time = furrow::measuring::median_interval(entry.times);
+  const Interval ratio = furrow::measuring::median_interval(furrow::measuring::ratios(entry.times, own));
+  entry.json["step_seconds"] = rounded_list(entry.times);
+  entry.json["nanoseconds_a_contact"] = rounded(1e9 * time.middle / contacts / entry.rival.evaluations);
+  entry.json["ratio"] = rounded_list({ratio.low, ratio.middle, ratio.high});
+  std::printf("%-28s %8.2f us a step   %6.2f [%5.2f, %5.2f]   height %.4f m, push %6.1f N%s\n",
+              entry.rival.name.c_str(), 1e6 * time.middle, ratio.middle, ratio.low, ratio.high,
+              entry.json["height"].get<double>(), entry.json["push"].get<double>(),
+              entry.json["agrees"] ? "" : "   does not agree: not ranked");
+}
+
+int compare(const fs::path& decks, const fs::path& work, const fs::path& program, const fs::path& result, int rounds) {
+  const Bed bed = furrow::rivals::make_bed(decks, cleared(work), program);
+  const std::vector<Rival> all = furrow::rivals::rivals();
+  const Seen own = look(bed, all[0]);
+  const std::vector<double> pushes = pushes_from_nearby(bed, all[0]);
+  const Band band = band_of(bed, own, pushes);
+  const double contacts = mean_contacts(bed, all[0]);
+  std::vector<Entry> entries;
+  for (const Rival& rival : all) entries.push_back(looked_at(bed, rival, band));
+  for (int round = 0; round < rounds; ++round) {
+    std::fprintf(stderr, "round %d of %d\n", round + 1, rounds);
+    for (Entry& entry : entries) {
+      if (!entry.failed) entry.times.push_back(step_time(bed, entry.rival));
+    }
+  }
+  Json json{{"machine", furrow::processor_name()},
+            {"compiler", furrow::build_info().compiler},
+            {"flags", furrow::build_info().flags},
+            {"contacts", rounded(contacts)},
+            {"discs", bed.prepared.system.parts().disc.count()},
+            {"rest_height", rounded(band.height)},
+            {"height_tolerance", band.height_tolerance},
+            {"push", rounded(band.push)},
+            {"push_tolerance", rounded(band.push_tolerance)},
+            {"own_pushes", rounded_list(pushes)},
+            {"programs", Json::array()}};
+  std::printf("CPU time a step, and over that of %s: median and its interval over %d rounds\n", all[0].name.c_str(),
+              rounds);
+  for (Entry& entry : entries) {
+    conclude(entry, entries[0].times, contacts);
+    json["programs"].push_back(entry.json);
+  }
+  std::printf("To agree: height %.4f +- %.4f m, push %.1f +- %.1f N\n", band.height, band.height_tolerance, band.push,
+              band.push_tolerance);
+  furrow::OutputFile file(result);
+  file << json.dump(1) << "\n";
+  file.finish();
+  return entries[0].failed || entries[1].failed ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() != 5) {
+    std::fprintf(stderr, "usage: compare DECKS WORK FURROW RESULT ROUNDS\n");
+    return 2;
+  }
+  try {
+    return compare(words[0], words[1], words[2], words[3], std::stoi(words[4]));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "compare: %s\n", error.what());
+    return 4;
+  }
+}

@@ -1,0 +1,192 @@
+#include "rivals/rivals.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "output/files.h"
+#include "scene/read.h"
+
+namespace furrow::rivals {
+namespace {
+
+namespace fs = std::filesystem;
+using measuring::Command;
+
+using Constants = std::vector<std::pair<std::string, std::string>>;
+
+// The e for which LAMMPS and its polynomial of Tsuji 1992, alpha(e), damp as furrow does for `wanted`: LAMMPS takes
+// alpha sqrt(m* k) with k = 4/3 E* a, furrow 2 sqrt(5/6) beta sqrt(m* Sn) with Sn = 2 E* a, so alpha = sqrt(5) beta.
+double tsuji_restitution(double beta) {
+  const auto alpha = [](double e) {
+    return 1.2728 - 4.2783 * e + 11.087 * e * e - 22.348 * e * e * e + 27.467 * std::pow(e, 4) -
+           18.022 * std::pow(e, 5) + 4.8218 * std::pow(e, 6);
+  };
+  double low = 0, high = 1;
+  for (int k = 0; k < 60; ++k) (alpha(0.5 * (low + high)) > std::sqrt(5.0) * beta ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+// Overlap at which gran/hertz/history, whose damping grows as sqrt(d) instead of d^(1/4), damps like the others.
+constexpr double matched_overlap = 3e-4;  // m, of a disc in the middle of the bed
+
+Constants constants(const Bed& bed, const Task& task) {
+  const Scene& scene = bed.prepared.scene;
+  const Material& m = scene.material[0];
+  const Plate& plate = scene.plate[0];
+  const DiscArrays& disc = bed.prepared.system.parts().disc;
+  const double beta = damping_factor(*scene.contact.restitution);
+  const Elastic elastic{*m.young, *m.poisson, false};
+  const ContactLaw law = contact_law(elastic, elastic, beta, scene.contact.friction, 0, false);
+  const double reduced_radius = disc.radius[0] / 2, reduced_mass = disc.mass[0] / 2;
+  const double root = std::sqrt(reduced_radius * matched_overlap);
+  const double viscosity = law.viscosity * std::sqrt(2 * law.modulus * root * reduced_mass);  // N s/m
+  const double gamma = viscosity / (root * reduced_mass);
+  Constants all;
+  const auto add = [&](const char* name, double value) { all.emplace_back(name, number(value)); };
+  add("young", *m.young);
+  add("poisson", *m.poisson);
+  add("friction", scene.contact.friction);
+  add("restitution", *scene.contact.restitution);
+  add("tsuji", tsuji_restitution(beta));
+  add("tangential", law.shear_ratio);
+  add("kn", 4.0 / 3.0 * law.modulus);
+  add("kt", 8 * law.shear_modulus);
+  add("gamma", gamma);
+  add("gammat", gamma * law.shear_ratio);
+  add("betan", std::sqrt(5.0 / 6.0) * beta);  // YADE: Cn = 2 betan sqrt(m* Sn)
+  add("gravity", scene.model.gravity);
+  add("radius", disc.radius[0]);
+  add("mass", disc.mass[0]);
+  add("width", scene.wall.back().point.x);
+  add("x0", plate.left_edge);
+  add("x1", plate.left_edge + plate.width);
+  add("y0", *plate.lower_edge);
+  add("y1", *plate.lower_edge + plate.height);
+  add("step", scene.time.step);
+  add("speed", task.speed);
+  all.emplace_back("steps", std::to_string(task.steps));
+  all.emplace_back("look", task.look ? "1" : "0");
+  all.emplace_back("bed", (bed.directory / "bed.data").string());
+  all.emplace_back("plate", (bed.directory / "plate.stl").string());
+  return all;
+}
+
+Command deck(std::vector<std::string> words, const Bed& bed, const Task& task) {
+  for (const auto& [name, value] : constants(bed, task)) words.insert(words.end(), {"-var", name, value});
+  return {std::move(words), task.directory, {"OMP_NUM_THREADS=1"}, task.directory / "errors.txt"};
+}
+
+Command lammps(const Bed& bed, const Task& task, const std::string& law) {
+  return deck({"lmp", "-in", bed.decks / "lammps.in", "-log", "none", "-screen", "out.txt", "-var", "law", law}, bed,
+              task);
+}
+
+Command liggghts(const Bed& bed, const Task& task) {
+  return deck({"liggghts", "-in", bed.decks / "liggghts.in", "-log", "none", "-screen", "out.txt", "-var", "stress",
+               task.look ? "/stress" : ""},
+              bed, task);
+}
+
+Command yade(const Bed& bed, const Task& task) {
+  std::vector<std::string> words{"yade", "-n", "-x", "-j1", bed.decks / "yade.py"};
+  for (const auto& [name, value] : constants(bed, task)) {
+    if (name != "plate") words.push_back(name + "=" + value);
+  }
+  return {std::move(words), task.directory, {"OMP_NUM_THREADS=1"}, task.directory / "errors.txt"};
+}
+
+Command furrow_with(const Bed& bed, const Task& task, const std::string& method) {
+  Scene scene = read_scene(bed.directory / "scene.toml");
+  scene.plate[0].velocity.x = task.speed;
+  scene.time.method = method;
+  scene.time.end = static_cast<double>(task.steps) * scene.time.step;
+  if (!task.look) scene.output.interval = scene.time.end;
+  OutputFile file(task.directory / "scene.toml");
+  file << canonical_text(scene);
+  file.finish();
+  return {{bed.furrow, "run", task.directory / "scene.toml", "--out", task.directory / "run"},
+          task.directory,
+          {},
+          task.directory / "errors.txt"};
+}
+
+void write_plate(const fs::path& file, const Plate& plate) {
+  const double x[] = {plate.left_edge, plate.left_edge + plate.width};
+  const double y[] = {*plate.lower_edge, *plate.lower_edge + plate.height};
+  const double z[] = {-0.02, 0.02};  // m: the discs are far from both
+  // Corner k: bits of k choose x, y and z. Two triangles a face, seen from outside.
+  constexpr std::array<std::array<int, 4>, 6> faces{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  constexpr std::array<std::array<int, 3>, 6> normals{
+      {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+  OutputFile out(file);
+  out << "solid tool\n";
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (const int third : {2, 3}) {
+      out << "facet normal " << normals[f][0] << " " << normals[f][1] << " " << normals[f][2] << "\nouter loop\n";
+      for (const int corner : {faces[f][0], faces[f][third - 1], faces[f][third]})
+        out << "vertex " << x[corner & 1] << " " << y[corner >> 1 & 1] << " " << z[corner >> 2] << "\n";
+      out << "endloop\nendfacet\n";
+    }
+  }
+  out << "endsolid tool\n";
+  out.finish();
+}
+
+// For LAMMPS and LIGGGHTS: id, type, diameter, density, x, y, z. The density gives the sphere the mass of the disc.
+void write_bed(const fs::path& file, const Scene& scene, const DiscArrays& disc) {
+  OutputFile out(file);
+  out << "settled bed\n\n" << disc.count() << " atoms\n1 atom types\n";
+  out << "-0.1 " << scene.wall.back().point.x + 0.1 << " xlo xhi\n-0.1 1.5 ylo yhi\n-0.05 0.05 zlo zhi\n\nAtoms\n\n";
+  for (int i = 0; i < disc.count(); ++i) {
+    const double r = disc.radius[i];
+    out << i + 1 << " 1 " << 2 * r << " " << disc.mass[i] / (4.0 / 3.0 * pi * r * r * r) << " "
+        << scene.disc[i].position.x << " " << scene.disc[i].position.y << " 0\n";
+  }
+  out.finish();
+}
+
+}  // namespace
+
+void write_scene(const Bed& bed, const Scene& scene) {
+  OutputFile file(bed.directory / "scene.toml");
+  file << canonical_text(scene);
+  file.finish();
+}
+
+Bed make_bed(const fs::path& decks, const fs::path& directory, const fs::path& furrow) {
+  fs::create_directories(directory);
+  Bed bed{prepare(read_scene(decks / "scene.toml")), directory, decks, furrow};
+  Scene& scene = bed.prepared.scene;
+  for (std::size_t i = 0; i < scene.disc.size(); ++i) {
+    const int disc = static_cast<int>(i);
+    scene.disc[i].position = {bed.prepared.y[bed.prepared.system.x_of(disc)],
+                              bed.prepared.y[bed.prepared.system.y_of(disc)]};
+  }
+  scene.settle.reset();
+  write_scene(bed, scene);
+  write_bed(directory / "bed.data", scene, bed.prepared.system.parts().disc);
+  write_plate(directory / "plate.stl", scene.plate[0]);
+  return bed;
+}
+
+std::vector<Rival> rivals() {
+  const auto lammps_with = [](const std::string& law) {
+    return [=](const Bed& bed, const Task& task) { return lammps(bed, task, law); };
+  };
+  const auto own = [](const std::string& method) {
+    return [=](const Bed& bed, const Task& task) { return furrow_with(bed, task, method); };
+  };
+  constexpr long all = 45'000;
+  return {
+      {"furrow, symplectic Euler", "", "Hertz, Tsuji damping, Mindlin; I = m R^2/2", all, 1, own("symplectic_euler")},
+      {"furrow, PECE", "", "the same", all, 2, own("pece")},
+      {"LAMMPS, gran/hertz/history", "lammps", "damping as sqrt(d) instead of d^(1/4)", all, 1, lammps_with("hertz")},
+      {"LAMMPS, granular", "lammps", "the same law", all, 1, lammps_with("granular")},
+      {"LIGGGHTS, hertz", "liggghts", "the same law; I = 2/5 m R^2", all, 1, liggghts},
+      {"YADE, Hertz-Mindlin", "yade", "the same law; R* = R/2 on walls and plate", 9'000, 1, yade},
+  };
+}
+
+}  // namespace furrow::rivals

@@ -1,0 +1,42 @@
+// The scene as other programs take it, and how each is called.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "measuring/process.h"
+#include "scene/scene.h"
+#include "system/prepare.h"
+
+namespace furrow::rivals {
+
+// The settled bed, from which all start, in the files of all programs.
+struct Bed {
+  Prepared prepared;
+  std::filesystem::path directory, decks, furrow;
+};
+
+// Settles benchmarks/rivals/scene.toml and writes bed.data, plate.stl and scene.toml. `furrow` is the program.
+Bed make_bed(const std::filesystem::path& decks, const std::filesystem::path& directory,
+             const std::filesystem::path& furrow);
+void write_scene(const Bed& bed, const Scene& scene);
+
+struct Task {
+  double speed;  // m/s, of the plate
+  long steps;
+  bool look;  // whether to write forces (force.txt) and the end (end.txt); not while time is taken
+  std::filesystem::path directory;
+};
+
+struct Rival {
+  std::string name, package, law;  // the package is empty for furrow
+  long steps;                      // that are timed
+  int evaluations;                 // of the forces, a step
+  std::function<measuring::Command(const Bed&, const Task&)> command;
+};
+
+std::vector<Rival> rivals();
+
+}  // namespace furrow::rivals
