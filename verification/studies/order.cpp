@@ -3,44 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "studies/catalogue.h"
+#include "studies/order_cure.h"
 #include "studies/order_figures.h"
 #include "studies/order_observed.h"
 #include "studies/order_predicted.h"
+#include "studies/order_tables.h"
 #include "studies/order_trends.h"
 
 namespace furrow::studies {
 namespace {
-
-std::string fixed(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string with_error(const Slope& s) { return s.points < 4 ? "-" : fixed(s.value, 2) + " ± " + fixed(s.error, 2); }
-
-std::string shown(double order) { return order == std::round(order) ? fixed(order, 0) : fixed(order, 2); }
-
-// ---- runs ----
-
-Json to_json(const std::vector<Point>& points) {
-  Json rows = Json::array();
-  for (const Point& p : points)
-    rows.push_back({p.step, p.tolerance, p.evaluations, p.per_step, p.position, p.velocity, p.failures});
-  return rows;
-}
-
-double number(const Json& value) { return value.is_number() ? value.get<double>() : NAN; }
-
-std::vector<Point> to_points(const Json& rows) {
-  std::vector<Point> points;
-  for (const Json& r : rows)
-    points.push_back({number(r[0]), number(r[1]), number(r[2]), number(r[3]), number(r[4]), number(r[5]), r[6]});
-  return points;
-}
 
 constexpr std::array<double, 5> angles{0.3, 0.2, 0.1, 0.05, 0.025};
 
@@ -75,10 +48,15 @@ Observations observe_all(const Settings& settings) {
     const auto& [method, p] = cells[k];
     if (p.empty()) {
       all.trends[method] = results[k];
-    } else if (results[k].is_array()) {
-      all.points[{method, p}] = to_points(results[k]);
     } else {
-      all.failed[{method, p}] = results[k].value("failed", "");
+      // A run that failed as a whole has no points, thus no order.
+      all.points[{method, p}] = results[k].is_array() ? to_points(results[k]) : std::vector<Point>();
+    }
+  }
+  for (const char* method : graded_methods) {
+    for (const char* p : graded_problems) {
+      for (const int grading : gradings)
+        all.cured[{method, p, grading}] = observe_graded(method, problem(p), grading, quick);
     }
   }
   for (const MethodInfo& method : method_catalogue()) {
@@ -89,112 +67,6 @@ Observations observe_all(const Settings& settings) {
   }
   return all;
 }
-
-// ---- tables ----
-
-void kinds_table(Report& report) {
-  std::vector<std::vector<Json>> rows;
-  for (const Problem& p : problems())
-    rows.push_back({p.title, p.event, p.limit == no_limit ? "p" : "min(p, " + shown(p.limit) + ")",
-                    p.limit == no_limit    ? "-"
-                    : p.controller_sees_it ? "yes"
-                                           : "no"});
-  report.table(
-      "The kinds of force, what happens within a step, the order that it leaves to a method of order p, and "
-      "whether an error estimate can see it.",
-      {"motion", "event", "predicted order", "seen by error control"}, rows);
-}
-
-void velocity_table(Report& report, const Observations& all) {
-  std::vector<std::string> head{"velocity"};
-  for (const Problem& p : problems()) head.push_back(p.title);
-  std::vector<std::vector<Json>> rows;
-  for (const MethodInfo& method : method_catalogue()) {
-    if (method.controlled) continue;
-    std::vector<Json> row{method.name};
-    for (const Problem& p : problems()) {
-      const auto found = all.verdicts.find({method.name, p.name});
-      if (found == all.verdicts.end()) {
-        row.emplace_back("-");
-        continue;
-      }
-      const Verdict& v = found->second;
-      row.emplace_back(
-          with_error(v.velocity) +
-          (v.predicted ? (v.predicted->at_least ? " (≥ " : " (") + shown(v.predicted->velocity) + ")" : "") +
-          (v.velocity_holds ? "" : " !"));
-    }
-    rows.push_back(std::move(row));
-  }
-  report.table(
-      "Observed order of the velocity, in brackets the predicted one. After an elastic rebound it is at least "
-      "the position's: a test of the exit speed alone would report an order that the motion does not have.",
-      head, rows);
-}
-
-Slope exponent(const Observations& all, const std::string& method, const std::string& p) {
-  const auto found = all.points.find({method, p});
-  return found == all.points.end() ? Slope{} : fitted(found->second, &Point::position, 99, &Point::tolerance);
-}
-
-void controlled_table(Report& report, const Observations& all) {
-  std::vector<std::string> head{"method"};
-  for (const Problem& p : problems()) head.push_back(p.title);
-  std::vector<std::vector<Json>> rows;
-  for (const MethodInfo& method : method_catalogue()) {
-    if (!method.controlled) continue;
-    std::vector<Json> row{method.name};
-    for (const Problem& p : problems()) row.emplace_back(with_error(exponent(all, method.name, p.name)));
-    rows.push_back(std::move(row));
-  }
-  if (rows.empty()) return;
-  report.table(
-      "Methods with error control: exponent s of error = C tolerance^s, tolerances from 1e-5 to 1e-10. 1 is what "
-      "a tolerance promises; near 0 the tolerance has no say.",
-      head, rows);
-}
-
-std::string drift_text(const Json& drift, std::size_t k) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2e", number(drift[k]));
-  return text;
-}
-
-void trends_table(Report& report, const Observations& all) {
-  std::vector<std::vector<Json>> rows;
-  for (const MethodInfo& method : method_catalogue()) {
-    const auto found = all.trends.find(method.name);
-    if (found == all.trends.end() || !found->second.contains("per_step")) continue;
-    const Json& t = found->second;
-    std::vector<Json> row{method.name, fixed(number(t["per_step"]), 2), fixed(number(t["at_start"]), 0)};
-    if (method.controlled) {
-      row.insert(row.end(), {"-", "-", "-", "-", "-"});
-    } else {
-      const auto back = [&](const char* p) -> std::string {
-        const std::vector<Point> points = to_points(t[p]);
-        const Slope slope = fitted(points, &Point::position);
-        return returns_exactly(points) ? "exact" : with_error(slope);
-      };
-      const auto want = predicted_return(method);
-      const auto drift = predicted_drift(method.name);
-      row.insert(row.end(),
-                 {back("spring"), back("hertz"), want ? std::isinf(*want) ? "exact" : shown(*want) : "-",
-                  drift_text(t["drift"], 2),
-                  drift ? drift_text(Json::array({drift->factor * std::pow(true_angle(0.1), drift->power)}), 0) : "-"});
-    }
-    rows.push_back(std::move(row));
-  }
-  report.table(
-      "Evaluations a step and extra ones at the start, counted; order of the distance from the start after a run "
-      "that is reversed and run back, on a spring (where multistep methods pay for their start twice) and through "
-      "a Hertz impact, against the prediction; relative change of the energy of an undamped oscillator in one "
-      "period at h omega = 0.1, against the leading term of the amplification.",
-      {"method", "evaluations a step", "at start", "way back: spring", "way back: Hertz", "predicted",
-       "energy a period", "predicted"},
-      rows);
-}
-
-// ---- claims ----
 
 void order_claims(Report& report, const Observations& all) {
   int cells = 0, velocities = 0;
@@ -214,8 +86,27 @@ void order_claims(Report& report, const Observations& all) {
                    (misses.empty() ? "." : "; except " + misses + "."),
                misses.empty());
   report.claim("So is the order of the velocity, in " + std::to_string(velocities) + " of " + std::to_string(cells) +
-                   " pairs; after an elastic rebound it is at least the predicted one.",
+                   " pairs; after an elastic rebound or a tear that is located it is at least the predicted one.",
                velocities == cells);
+}
+
+void cure_claim(Report& report, const Observations& all) {
+  const auto cured = [&](const char* method, int grading) {
+    return fitted(all.cured.at({method, "damped_hertz_inside", grading}), &Point::position);
+  };
+  const auto plain = [&](const char* method, const char* p) { return all.verdicts.at({method, p}).position; };
+  const Slope two = cured("pece", 2), four = cured("rk4", 4);
+  report.claim(
+      "Steps that end at the touch and grow from there restore the order in a damped Hertz contact: pece from " +
+          with_error(plain("pece", "damped_hertz_inside")) + " to " + with_error(two) + " (g = 2), rk4 from " +
+          with_error(plain("rk4", "damped_hertz_inside")) + " to " + with_error(four) +
+          " (g = 4). To locate the touch alone leaves " + with_error(cured("rk4", 1)) + ".",
+      std::fabs(two.value - 2) <= tolerance_of(two) && std::fabs(four.value - 4) <= tolerance_of(four));
+  report.claim("To locate the tear within its step takes rk4 from order " + with_error(plain("rk4", "tear")) + " to " +
+                   with_error(plain("rk4", "located_tear")) + ", pece from " + with_error(plain("pece", "tear")) +
+                   " to " + with_error(plain("pece", "located_tear")) + ".",
+               all.verdicts.at({"rk4", "located_tear"}).position_holds &&
+                   all.verdicts.at({"pece", "located_tear"}).position_holds);
 }
 
 void rebound_claim(Report& report, const Observations& all) {
@@ -281,6 +172,7 @@ Json order(const Settings& settings) {
       "not, why?");
   order_claims(report, all);
   order_four_claim(report, all);
+  cure_claim(report, all);
   rebound_claim(report, all);
   blind_claim(report, all);
   report.text("Errors against exact solutions, root of the mean square over " + std::to_string(series.phases) +
@@ -289,9 +181,11 @@ Json order(const Settings& settings) {
               " times smaller than the one before; the order is the slope of log error over log step, its error the "
               "standard error of that fit.");
   kinds_table(report);
-  report.figure(matrix_figure(all));
+  report.figure(matrix_figure(all, false));
   report.figure(slopes_figure(all));
-  velocity_table(report, all);
+  report.figure(matrix_figure(all, true));
+  report.heading("What restores the order");
+  cure_table(report, all);
   report.heading("Error control");
   controlled_table(report, all);
   report.heading("Evaluations, the way back, energy");

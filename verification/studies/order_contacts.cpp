@@ -25,6 +25,7 @@ class LinearContact final : public OdeSystem {
   explicit LinearContact(double zeta) : viscosity_(2 * zeta) {}
   std::size_t size() const override { return 2; }
   std::size_t positions() const override { return 1; }
+  std::string velocity_dependence() const override { return viscosity_ > 0 ? "the dashpot" : ""; }
   void rhs(double /*t*/, const State& y, State& dydt) const override {  // in units of 1/w
     dydt[0] = y[1];
     dydt[1] = y[0] < 0 ? -y[0] - viscosity_ * y[1] : 0;
@@ -43,6 +44,7 @@ Problem linear_contact(double zeta, const std::string& name, const std::string& 
   p.elastic = p.from_rest = p.rebounds = zeta == 0;
   p.unit = static_cast<double>(contact);
   p.duration = 1.65 * p.unit;
+  p.touch = static_cast<double>(touch);
   p.least_steps = 80;
   p.system = [zeta] { return std::make_unique<LinearContact>(zeta); };
   p.state = [=](long double t) -> State {
@@ -91,6 +93,7 @@ Problem hertz(double beta, bool pull, double until, Problem p) {
   p.rebounds = p.elastic && until > 1;
   p.unit = static_cast<double>(contact);
   p.duration = static_cast<double>((flight + until) * contact);
+  p.touch = static_cast<double>(flight * contact);
   p.length = static_cast<double>(length);
   p.speed = closing;
   p.system = [=] { return std::make_unique<System>(impact_scene(beta, pull)); };

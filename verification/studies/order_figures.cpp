@@ -8,13 +8,20 @@
 #include "studies/order_trends.h"
 
 namespace furrow::studies {
-namespace {
 
 std::string fixed(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
   return text;
 }
+
+std::string shown_order(double order) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", order);
+  return text;
+}
+
+namespace {
 
 double rounded_to_6(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
@@ -27,42 +34,47 @@ constexpr std::array<const char*, 6> drawn{"pece", "ab2", "verlet", "symplectic_
 
 }  // namespace
 
-Figure matrix_figure(const Observations& all) {
-  Json cells = Json::array(), columns = Json::array(), rows = Json::array();
+Figure matrix_figure(const Observations& all, bool of_velocity) {
+  Json cells = Json::array(), wanted = Json::array(), columns = Json::array(), rows = Json::array();
   double y = 0;
-  int missed = 0, count = 0;
+  int held = 0, count = 0;
   for (const MethodInfo& method : method_catalogue()) {
     if (method.controlled) continue;
     rows.push_back({0, y, method.name});
-    double x = 0;
+    double x = -1;
     for (const Problem& p : problems()) {
-      const auto found = all.verdicts.find({method.name, p.name});
-      if (found != all.verdicts.end() && found->second.predicted) {
-        const Verdict& v = found->second;
-        ++count;
-        missed += v.position_holds ? 0 : 1;
-        const double predicted = v.predicted->position;
-        const std::string want = fixed(predicted, predicted == std::round(predicted) ? 0 : 2);
-        const bool told = v.position.points >= 4;
-        cells.push_back({x, y, told ? rounded_to_6(v.position.value) : 0, v.position_holds ? 0 : 1,
-                         told ? fixed(v.position.value, 2) + "±" + fixed(v.position.error, 2).substr(1) + " | " + want
-                              : std::string("none | ") + want});
-      } else {
-        cells.push_back({x, y, -1, 0, "cannot"});
-      }
       ++x;
+      const auto found = all.verdicts.find({method.name, p.name});
+      if (found == all.verdicts.end()) {
+        cells.push_back({x, y, -1, 0, "-"});
+        continue;
+      }
+      const Verdict& v = found->second;
+      const Slope& slope = of_velocity ? v.velocity : v.position;
+      const bool holds = of_velocity ? v.velocity_holds : v.position_holds;
+      ++count;
+      held += holds ? 1 : 0;
+      const bool told = slope.points >= 4;
+      cells.push_back({x, y, told ? rounded_to_6(slope.value) : 0, holds ? 0 : 1,
+                       told ? fixed(slope.value, 2) + " ±" + fixed(slope.error, 2).substr(1) : std::string("none")});
+      const double least = of_velocity ? v.predicted->velocity : v.predicted->position;
+      const double room = v.predicted->most - v.predicted->position;
+      const bool open = of_velocity && v.predicted->at_least;
+      wanted.push_back({x, y,
+                        (open ? "≥ " : "") + shown_order(least) +
+                            (room > 0 && !open ? " to " + shown_order(least + room) : std::string())});
     }
     ++y;
   }
   double x = 0;
   for (const Problem& p : problems()) columns.push_back({x++, 0, p.title});
-  Figure figure{
-      "order_matrix", "order_matrix.gp", {}, "matrix of observed and predicted orders, methods by kinds of force"};
-  figure.caption = "Observed order of the position, its standard error, and after the bar the predicted order. " +
-                   std::to_string(count - missed) + " of " + std::to_string(count) +
-                   " cells hold; a cell that does not is framed.";
+  const std::string what = of_velocity ? "velocity" : "position";
+  Figure figure{"order_of_" + what, "order_matrix.gp", {}, "orders of the " + what + ", methods by kinds of force"};
+  figure.caption = "Observed order of the " + what + " with its standard error, below it the predicted one; " +
+                   std::to_string(held) + " of " + std::to_string(count) +
+                   " agree, others are framed; -: a method that cannot carry forces that depend on velocity.";
   figure.variables = {{"width", static_cast<double>(problems().size())}, {"height", y}};
-  figure.blocks = {{"cells", cells}, {"columns", columns}, {"rows", rows}};
+  figure.blocks = {{"cells", cells}, {"wanted", wanted}, {"columns", columns}, {"rows", rows}};
   return figure;
 }
 
@@ -95,8 +107,7 @@ Figure slopes_figure(const Observations& all) {
       const double slope = v.predicted->position;
       if (std::find(labelled.begin(), labelled.end(), slope) != labelled.end()) continue;
       labelled.push_back(slope);
-      labels.push_back({panel, rounded_to_6(series.back().step / p.unit), at(series.back()),
-                        fixed(slope, slope == std::round(slope) ? 0 : 2)});
+      labels.push_back({panel, rounded_to_6(series.back().step / p.unit), at(series.back()), shown_order(slope)});
     }
     panels.push_back(
         {panel, std::pow(10, std::floor(std::log10(least))), std::pow(10, std::ceil(std::log10(most))), p.title});

@@ -32,7 +32,8 @@ class HertzPath {
     long double low = 0;
     long double high = exact_.letting_go();
     for (int k = 0; k < 8; ++k) (exact_.time((low + high) / 2) < t ? low : high) = (low + high) / 2;
-    long double s = (low + high) / 2;
+    // Shortly after the touch p = 5/4 s, so s = 4/5 t^(5/4).
+    long double s = low > 0 ? (low + high) / 2 : 0.8L * std::pow(t, 1.25L);
     for (int k = 0; k < 4; ++k) s -= (exact_.time(s) - t) * std::pow(exact_.p(s), 0.2L);
     return s;
   }

@@ -16,6 +16,7 @@ struct Plan {
   double step;   // s; of a controlled method the longest
   int steps;     // that make up the run
   double start;  // s, on the exact solution
+  bool locate_tears = false;
   Tolerances tolerances{};
 };
 
@@ -43,7 +44,8 @@ Ran carry(OdeSystem& system, const std::string& name, const State& start, const 
   Ran ran{start};
   if (auto* scene = dynamic_cast<System*>(&system)) {
     const double end = plan.steps * plan.step;
-    const RunEnd ended = run(*scene, *method, ran.y, {.start = 0, .end = end, .step = plan.step, .stop = {}},
+    const RunEnd ended = run(*scene, *method, ran.y,
+                             {.start = 0, .end = end, .step = plan.step, .stop = {}, .locate_tears = plan.locate_tears},
                              [](double, const State&, const JumpReport&) { return true; });
     if (ended.ending != Ending::finished) throw Divergence(ended.reason);
     ran.steps = ended.steps;
@@ -78,7 +80,8 @@ Plan jittered(const Problem& problem, double steps, int size, int phase) {
   const double end = problem.duration * (1 - (1 - problem.earliest) * spread(phase, 0.5698402909980532));
   return {.step = step,
           .steps = static_cast<int>(end / step),
-          .start = spread(phase + 16 * size, 0.6180339887498949) * step};
+          .start = spread(phase + 16 * size, 0.6180339887498949) * step,
+          .locate_tears = problem.locate_tears};
 }
 
 // Adds the runs of all phases to one point. `one` makes a run and returns what it reached and should have reached.
@@ -135,6 +138,14 @@ Slope fitted(const std::vector<Point>& points, double Point::*error, int most, d
   return slope;
 }
 
+Slope fitted_exponent(const std::vector<Point>& points) {
+  std::vector<Point> ruled;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (k + 1 == points.size() || points[k].step > 1.03 * points[k + 1].step) ruled.push_back(points[k]);
+  }
+  return fitted(ruled, &Point::position, 99, &Point::tolerance);
+}
+
 std::vector<Point> observe(const std::string& method, const Problem& problem, const Series& series) {
   std::vector<Point> points;
   const bool controlled = is_controlled(method);
@@ -146,8 +157,10 @@ std::vector<Point> observe(const std::string& method, const Problem& problem, co
       tolerances.first_step = problem.duration / 1000;
     }
     points.push_back(over_phases(problem, series, [&](OdeSystem& system, int phase) {
-      // The longest step of a controlled method: shorter than any contact, or it might step over one.
-      Plan plan = jittered(problem, controlled ? 10 : steps_of(problem, series, size), controlled ? 0 : size, phase);
+      // The longest step of a controlled method; on events short, or it might step over a whole contact.
+      const double fewest = problem.limit == no_limit ? 2 : 10;
+      Plan plan =
+          jittered(problem, controlled ? fewest : steps_of(problem, series, size), controlled ? 0 : size, phase);
       plan.tolerances = tolerances;
       const Ran ran = carry(system, method, placed(system, problem, plan.start), plan);
       return std::tuple(ran, problem.state(plan.start + plan.steps * static_cast<long double>(plan.step)),

@@ -40,6 +40,10 @@ struct Slope {
 Slope fitted(const std::vector<Point>& points, double Point::*error, int most = 9,
              double Point::*abscissa = &Point::step);
 
+// s of error = C tolerance^s, of a controlled method, from the points where a smaller tolerance makes smaller steps:
+// not from those where the longest step rules.
+Slope fitted_exponent(const std::vector<Point>& points);
+
 std::vector<Point> observe(const std::string& method, const Problem& problem, const Series& series);
 
 // The motion run to its end, reversed and run back to where it came from: the distance from there, as a Point.

@@ -18,7 +18,9 @@ std::optional<Prediction> predicted(const MethodInfo& method, const Problem& pro
   if (method.controlled) return std::nullopt;
   const double p = method.order;
   Prediction prediction{std::min(p, problem.limit), std::min(p, problem.limit)};
-  if (leapfrog(method, problem)) prediction.position = std::min(2.0, problem.limit);
+  prediction.most = p - problem.limit <= 0.5 ? p : prediction.position;
+  if (leapfrog(method, problem)) prediction.position = prediction.most = std::min(2.0, problem.limit);
+  prediction.at_least = problem.speed_by_energy;
   if (problem.rebounds) {
     const bool even = method.order % 2 == 0 || leapfrog(method, problem);
     prediction.velocity = std::min(even ? prediction.position + 1 : p, problem.limit);
@@ -38,12 +40,18 @@ Exponents predicted_exponents(const MethodInfo& method, const Problem& problem) 
 Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vector<Point>& points) {
   Verdict v{fitted(points, &Point::position), fitted(points, &Point::velocity), predicted(method, problem)};
   if (!v.predicted) return v;
-  v.position_holds = std::fabs(v.position.value - v.predicted->position) <= tolerance_of(v.position);
-  const double excess = v.velocity.value - v.predicted->velocity;
-  v.velocity_holds = (v.predicted->at_least ? -excess : std::fabs(excess)) <= tolerance_of(v.velocity);
+  // How far below what is predicted, or above. A slope that is not a number is infinitely far off.
+  const auto off = [](const Slope& slope, double least, double most) {
+    return std::isfinite(slope.value) ? std::max({0.0, least - slope.value, slope.value - most}) : no_limit;
+  };
+  const Prediction& want = *v.predicted;
+  const double room = want.most - want.position;
+  v.position_holds = off(v.position, want.position, want.most) <= tolerance_of(v.position);
+  v.velocity_holds =
+      off(v.velocity, want.velocity, want.at_least ? no_limit : want.velocity + room) <= tolerance_of(v.velocity);
   return v;
 }
 
-bool applies(const MethodInfo& /*method*/, const Problem& /*problem*/) { return true; }
+bool applies(const MethodInfo& method, const Problem& problem) { return refusal(method, *problem.system()).empty(); }
 
 }  // namespace furrow::studies

@@ -24,13 +24,16 @@ struct Problem {
   // That of the error after which an error-controlled method chooses its steps: it grades them through events that its
   // error estimate sees, not through those that the jump map makes between steps.
   bool controller_sees_it = true;
+  bool locate_tears = false;     // as the scene's key
   bool elastic = true;           // no force depends on a velocity
   bool from_rest = false;        // no force when it starts, and none that depends on a velocity
   bool rebounds = false;         // leaves an elastic contact before it ends
+  bool speed_by_energy = false;  // the speed at the end follows from the energy alone, which may err by less
   double unit = 1;               // s, duration of a contact or 1/omega
   double duration = 1;           // s, of the longest run
   double earliest = 0.8;         // of the duration, of the shortest
   double length = 1, speed = 1;  // m, m/s: errors are given over these
+  double touch = 0;              // s, when the contact begins
   int least_steps = 0;           // coarsest step is duration / least_steps
   std::function<std::unique_ptr<OdeSystem>()> system{};
   // The exact state at time t: the run starts anywhere on it. Numbers that no error is taken of (spins, tangential

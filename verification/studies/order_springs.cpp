@@ -74,11 +74,12 @@ Problem spring(double zeta, const std::string& name, const std::string& title) {
   return p;
 }
 
-Problem tear() {
+Problem tear(bool located) {
   constexpr long double slip = 2.0L / 3;  // strength over that of the greatest stretch
   const long double torn = std::asin(slip) / omega;
   Problem p{"tear", "tear", "the spring's force jumps to zero, seen at the end of a step", 1};
-  p.controller_sees_it = false;
+  if (located) p = {"located_tear", "tear, located", "the step ends at the tear, on a cubic through it", 4};
+  p.locate_tears = p.controller_sees_it = p.speed_by_energy = located;
   p.unit = static_cast<double>(1 / omega);
   p.duration = 1.5 * p.unit;
   p.length = static_cast<double>(reach);
@@ -150,7 +151,8 @@ Problem lattice() {
 }  // namespace
 
 std::vector<Problem> spring_problems() {
-  return {spring(0, "spring", "spring"), spring(0.2, "damped_spring", "damped spring"), lattice(), tear()};
+  return {spring(0, "spring", "spring"), spring(0.2, "damped_spring", "damped spring"), lattice(), tear(false),
+          tear(true)};
 }
 
 }  // namespace furrow::studies

@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "studies/amplification.h"
+
 namespace furrow::studies {
 namespace {
 
@@ -87,6 +89,13 @@ std::optional<Drift> predicted_drift(const std::string& method) {
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<double> amplified_drift(const std::string& method, double angle) {
+  const Scheme* scheme = scheme_of(method);
+  if (!scheme || !scheme->by_eigenvalue) return std::nullopt;
+  const double h = true_angle(angle);
+  return 2 * std::log(amplification(*scheme, std::complex<double>(0, h))) * 2 * pi / h;
+}
+
 bool returns_exactly(const std::vector<Point>& points) {
   return std::all_of(points.begin(), points.end(), [](const Point& p) { return p.position < 1e-12; });
 }
@@ -95,7 +104,8 @@ std::optional<double> predicted_return(const MethodInfo& method) {
   if (method.controlled) return std::nullopt;
   if (method.name.ends_with("verlet") || method.name.ends_with("symplectic_euler"))
     return std::numeric_limits<double>::infinity();
-  if (method.name == "pecece") return 5;
+  if (method.name.find("symplectic_rkn") != std::string::npos) return std::numeric_limits<double>::infinity();
+  if (method.name == "pecece" || method.name == "odeint_modified_midpoint") return 5;
   return method.order % 2 == 0 ? method.order + 1 : method.order;
 }
 

@@ -30,6 +30,9 @@ struct Drift {
 };
 std::optional<Drift> predicted_drift(const std::string& method);
 
+// The same, whole, from the amplification of the method's scheme (amplification.h), where one is written down.
+std::optional<double> amplified_drift(const std::string& method, double angle);
+
 // The order in which a run through a Hertz impact that is reversed and run back misses its start. With the modified
 // equation y' = f + h^p f_p + h^(p+1) f_(p+1) + ... the way back undoes the terms of even power, so p + 1 for even p;
 // in P(EC)^2E the term of power 3 is missing too. Infinity: exact. On a spring, which is in motion when the run starts,

@@ -1,0 +1,134 @@
+#include "studies/order_tables.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "studies/order_cure.h"
+#include "studies/order_trends.h"
+
+namespace furrow::studies {
+namespace {
+
+double number(const Json& value) { return value.is_number() ? value.get<double>() : NAN; }
+
+}  // namespace
+
+std::string with_error(const Slope& s) { return s.points < 4 ? "-" : fixed(s.value, 2) + " ± " + fixed(s.error, 2); }
+
+Json to_json(const std::vector<Point>& points) {
+  Json rows = Json::array();
+  for (const Point& p : points)
+    rows.push_back({p.step, p.tolerance, p.evaluations, p.per_step, p.position, p.velocity, p.failures});
+  return rows;
+}
+
+std::vector<Point> to_points(const Json& rows) {
+  std::vector<Point> points;
+  for (const Json& r : rows)
+    points.push_back({number(r[0]), number(r[1]), number(r[2]), number(r[3]), number(r[4]), number(r[5]), r[6]});
+  return points;
+}
+
+void kinds_table(Report& report) {
+  std::vector<std::vector<Json>> rows;
+  for (const Problem& p : problems())
+    rows.push_back({p.title, p.event, p.limit == no_limit ? "p" : "min(p, " + shown_order(p.limit) + ")",
+                    p.limit == no_limit    ? "-"
+                    : p.controller_sees_it ? "yes"
+                                           : "no"});
+  report.table(
+      "The kinds of force, what happens within a step, the order that it leaves to a method of order p, and "
+      "whether an error estimate can see it.",
+      {"motion", "event", "predicted order", "seen by error control"}, rows);
+}
+
+Slope exponent_of(const Observations& all, const std::string& method, const std::string& p) {
+  const auto found = all.points.find({method, p});
+  return found == all.points.end() ? Slope{} : fitted_exponent(found->second);
+}
+
+void controlled_table(Report& report, const Observations& all) {
+  std::vector<std::string> head{"method"};
+  for (const Problem& p : problems()) head.push_back(p.title);
+  std::vector<std::vector<Json>> rows;
+  for (const MethodInfo& method : method_catalogue()) {
+    if (!method.controlled) continue;
+    std::vector<Json> row{method.name};
+    for (const Problem& p : problems()) row.emplace_back(with_error(exponent_of(all, method.name, p.name)));
+    rows.push_back(std::move(row));
+  }
+  if (rows.empty()) return;
+  report.table(
+      "Methods with error control: exponent s of error = C tolerance^s, tolerances from 1e-5 to 1e-10. 1 is what "
+      "a tolerance promises; near 0 the tolerance has no say.",
+      head, rows);
+}
+
+void cure_table(Report& report, const Observations& all) {
+  std::vector<std::string> head{"method"};
+  for (const char* p : graded_problems) {
+    for (const int grading : gradings) head.push_back(problem(p).title + ", g = " + std::to_string(grading));
+  }
+  std::vector<std::vector<Json>> rows;
+  for (const char* method : graded_methods) {
+    std::vector<Json> row{method};
+    for (const char* p : graded_problems) {
+      for (const int grading : gradings) {
+        const Slope slope = fitted(all.cured.at({method, p, grading}), &Point::position);
+        row.emplace_back(with_error(slope) + " (" +
+                         shown_order(predicted_graded(make_method(method)->info(), problem(p), grading)) + ")");
+      }
+    }
+    rows.push_back(std::move(row));
+  }
+  report.table(
+      "The cure: a step ends at the touch (just inside: at the touch itself the force is still that of free "
+      "flight), the next ones grow as t - t0 = T (n/N)^g; observed order of the position in the contact, in "
+      "brackets min(p, g (a + 1)).",
+      head, rows);
+}
+
+namespace {
+
+std::string drift_text(const Json& drift, std::size_t k) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2e", number(drift[k]));
+  return text;
+}
+
+}  // namespace
+
+void trends_table(Report& report, const Observations& all) {
+  std::vector<std::vector<Json>> rows;
+  for (const MethodInfo& method : method_catalogue()) {
+    const auto found = all.trends.find(method.name);
+    if (found == all.trends.end() || !found->second.contains("per_step")) continue;
+    const Json& t = found->second;
+    std::vector<Json> row{method.name, fixed(number(t["per_step"]), 2), fixed(number(t["at_start"]), 0)};
+    if (method.controlled) {
+      row.insert(row.end(), {"-", "-", "-", "-", "-"});
+    } else {
+      const auto back = [&](const char* p) -> std::string {
+        const std::vector<Point> points = to_points(t[p]);
+        const Slope slope = fitted(points, &Point::position);
+        return returns_exactly(points) ? "exact" : with_error(slope);
+      };
+      const auto want = predicted_return(method);
+      const auto drift = amplified_drift(method.name, 0.1);
+      row.insert(row.end(),
+                 {back("spring"), back("hertz"), want ? std::isinf(*want) ? "exact" : shown_order(*want) : "-",
+                  drift_text(t["drift"], 2), drift ? drift_text(Json::array({*drift}), 0) : "-"});
+    }
+    rows.push_back(std::move(row));
+  }
+  report.table(
+      "Evaluations a step and extra ones at the start, counted; order of the distance from the start after a run "
+      "that is reversed and run back, on a spring (where multistep methods pay for their start twice) and through "
+      "a Hertz impact, against the prediction; relative change of the energy of an undamped oscillator in one "
+      "period at h omega = 0.1, against the amplification of the scheme.",
+      {"method", "evaluations a step", "at start", "way back: spring", "way back: Hertz", "predicted",
+       "energy a period", "predicted"},
+      rows);
+}
+
+}  // namespace furrow::studies
