@@ -83,7 +83,8 @@ struct TouchForce {
 };
 
 template <bool Rolling>
-[[gnu::always_inline]] inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
+[[gnu::always_inline]] inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c,
+                                                       double rolling_smoothing) {
   TouchForce f{};
   const double root = std::sqrt(c.reduced_radius * c.overlap);
   f.stiffness = 2 * law.modulus * root;
