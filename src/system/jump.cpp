@@ -25,7 +25,7 @@ void System::return_springs(double t, State& y, JumpReport& report) {
   double nowhere = 0;
   known_rates_.resize(y.size());
   begin_rates(y, known_rates_);
-  for_each_block(t, y, &slots_, keeps_ledger_, [&](const TouchBlock& c) {
+  for_each_block(t, y, &slots_, asker(), [&](const TouchBlock& c) {
     for (int k = 0; k < c.count; ++k) {
       const int slot = c.slot[k];
       const double returned = c.spring[k];

@@ -126,7 +126,7 @@ void System::rhs(double t, const State& y, State& dydt) const {
     return;
   }
   begin_rates(y, dydt);
-  for_each_block(t, y, nullptr, keeps_ledger_, [&](const TouchBlock& c) { add_contacts(c, t, dydt); });
+  for_each_block(t, y, nullptr, asker(), [&](const TouchBlock& c) { add_contacts(c, t, dydt); });
   finish_rates(dydt);
 }
 

@@ -100,11 +100,15 @@ class System : public OdeSystem {
     void see(Candidates& list, int candidate, bool near);
   };
 
+  // Forces alone, the ledger's terms too, or all that a block names of those that touch.
+  enum class Asker { rates, ledger, onlooker };
+
+  Asker asker() const { return keeps_ledger_ ? Asker::ledger : Asker::rates; }
   void place_nodes(const State& y) const;
   Placement placement(double t, const State& y) const;
   void pack_discs(const State& y) const;
   template <class Sink>
-  void for_each_block(double t, const State& y, Slots* slots, bool details, Sink&& sink) const;
+  void for_each_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const;
   void fill_discs(int first, int last, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
   void take_springs(const State& y) const;
@@ -145,7 +149,7 @@ class System : public OdeSystem {
 };
 
 template <class Sink>
-void System::for_each_block(double t, const State& y, Slots* slots, bool details, Sink&& sink) const {
+void System::for_each_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const {
   place_nodes(y);
   search_.update(parts_, placement(t, y));
   pack_discs(y);
@@ -159,20 +163,18 @@ void System::for_each_block(double t, const State& y, Slots* slots, bool details
       } else {
         fill_flat(static_cast<ContactKind>(kind), first, last, t, y, slots);
       }
+      if (kind == disc_disc && asker == Asker::onlooker) block_.keep_touching();
       if (block_.count == 0) continue;
       take_springs(y);
-      kernel_->evaluate(block_, model, slots != nullptr, details);
-      sink(block_);
+      kernel_->evaluate(block_, model, slots != nullptr, asker != Asker::rates);
+      sink(static_cast<const TouchBlock&>(block_));
     }
   }
 }
 
 template <class Sink>
 void System::for_each_touch(double t, const State& y, Sink&& sink) const {
-  for_each_block(t, y, nullptr, true, [&](TouchBlock& c) {
-    if (c.kind == disc_disc) c.keep_touching();
-    if (c.count > 0) sink(static_cast<const TouchBlock&>(c));
-  });
+  for_each_block(t, y, nullptr, Asker::onlooker, sink);
 }
 
 }  // namespace furrow

@@ -7,20 +7,19 @@
 namespace furrow {
 
 void TouchBlock::keep_touching() {
-  Lanes<int> lane;
   int n = 0;
   for (int k = 0; k < count; ++k) {
-    if (touching[k] != 0) lane[n++] = k;
+    const DiscPair p = pair[k];
+    const double within = p.radius_a + p.radius_b;
+    pair[n] = p;
+    a[n] = a[k];
+    b[n] = b[k];
+    law[n] = law[k];
+    slot[n] = slot[k];
+    reduced_radius[n] = reduced_radius[k];
+    reduced_mass[n] = reduced_mass[k];
+    n += p.dx * p.dx + p.dy * p.dy < within * within ? 1 : 0;
   }
-  const auto keep = [&](auto&... field) {
-    const auto move = [&](auto& values) {
-      for (int i = 0; i < n; ++i) values[i] = values[lane[i]];
-    };
-    (move(field), ...);
-  };
-  keep(a, b, law, slot, touching, nx, ny, overlap, vx, vy, spin_a, spin_b, radius_a, radius_b, arm_a, arm_b);
-  keep(reduced_radius, reduced_mass, spring, approach, slip, elastic, normal, tangential, moment, stiffness);
-  keep(shear_stiffness, shear_viscosity, fx, fy, torque_a, torque_b);
   count = n;
 }
 

@@ -44,7 +44,7 @@ struct TouchBlock {
   alignas(64) Lanes<double> stiffness{}, shear_stiffness{}, shear_viscosity{};
   alignas(64) Lanes<double> fx{}, fy{}, torque_a{}, torque_b{};
 
-  // Leaves only the lanes that touch.
+  // Leaves only the pairs of discs that touch.
   void keep_touching();
 
   double force_x(int k) const { return fx[k]; }
