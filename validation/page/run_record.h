@@ -1,0 +1,77 @@
+// What the files of a run say, and what the paper reports.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "page/table.h"
+#include "scene/scene.h"
+#include "system/parts.h"
+
+namespace furrow {
+
+// Force on the first plate. Resistance is positive: fx is minus the force on the plate.
+struct ForceCurve {
+  std::vector<double> mm, fx, fy, f;  // mm of displacement, N
+  double end() const { return mm.empty() ? 0 : mm.back(); }
+};
+
+struct TornLink {
+  double mm = 0;  // displacement of the plate
+  int link = 0;   // index in RunRecord::lattices.link
+};
+
+struct Frame {
+  double mm = 0;
+  Table discs, links, plates;
+};
+
+// One entry of run.json.
+struct Fact {
+  std::string key;
+  std::vector<std::string> texts;  // of an array all, of null none, of anything else one
+  bool fraction = false;           // a floating-point number
+};
+
+struct RunRecord {
+  std::string name;
+  std::vector<Fact> facts;  // in the order of the file
+  Scene scene;
+  Parts lattices;  // nodes and links of the scene's lattices, nothing else
+  ForceCurve force;
+  Table energy;
+  std::vector<TornLink> torn;  // in order of time
+  std::vector<Frame> frames;
+
+  const Fact* fact(std::string_view key) const;  // null if there is none
+  bool finished() const;
+};
+
+double plate_speed(const RunRecord& run);  // of the first plate, mm/s
+
+// Of a run that ended while its scene was prepared there are only facts and scene. Throws std::runtime_error that names
+// the file that is missing or malformed.
+RunRecord read_run(const std::string& name, const std::filesystem::path& directory);
+
+// One thing that the paper reports; the heading of reference_data/published/paper.toml explains the fields.
+struct Statement {
+  std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words;
+  double value = std::numeric_limits<double>::quiet_NaN();  // NaN: the paper says it in `words`
+  std::optional<std::array<double, 2>> window;              // mm
+  std::optional<std::array<double, 2>> holds;               // of the observable, where the paper says it in words
+};
+
+struct Publication {
+  std::string title;
+  std::vector<Statement> statements;
+};
+
+// Throws std::runtime_error that says what is wrong with the TOML text.
+Publication read_publication(std::string_view toml);
+
+}  // namespace furrow

@@ -1,0 +1,193 @@
+#include "page/scene_section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "output/files.h"
+#include "page/gnuplot.h"
+#include "page/html.h"
+#include "page/observables.h"
+#include "page/snapshots.h"
+#include "page/template.h"
+
+namespace furrow {
+namespace {
+
+double travel(const RunRecord& run) { return plate_speed(run) * run.scene.time.end; }  // mm
+
+std::string ending(const RunRecord& run) {
+  const std::string end = with_unit(run.scene.time.end, "s");
+  std::string html, warnings;
+  if (run.finished()) {
+    html =
+        element("p", "Ran to its end, " + end + " or " + with_unit(travel(run), "mm") + " of plate travel.", "ending");
+  } else {
+    html = element("p",
+                   "This run is not complete: " + fact_shown(run, "ended") + " at " + fact_shown(run, "ended_at") +
+                       " s of " + end + ". Reason: " + fact_shown(run, "reason"),
+                   "failed");
+  }
+  if (const Fact* told = run.fact("warnings")) {
+    for (const std::string& text : told->texts) warnings += element("p", "Warning: " + escaped(text));
+  }
+  return html + (warnings.empty() ? "" : element("div", warnings, "warnings"));
+}
+
+// The page's part of one run; `out` is where the SVG files go.
+class SceneSection {
+ public:
+  SceneSection(const RunRecord& run, const Publication& paper, std::filesystem::path out)
+      : run_(run), out_(std::move(out)) {
+    for (const Statement& s : paper.statements) {
+      if (s.scene == run.name) statements_.push_back(s);
+    }
+  }
+
+  std::string html() const {
+    return filled(figure_file("scene.html"), {{"name", run_.name},
+                                              {"title", escaped(run_.scene.title)},
+                                              {"ending", ending(run_)},
+                                              {"force", force()},
+                                              {"energy", energy()},
+                                              {"snapshots", snapshots(run_, out_)},
+                                              {"statements", statements()},
+                                              {"torn", torn()}});
+  }
+
+ private:
+  std::filesystem::path file(const std::string& name) const { return out_ / (run_.name + "_" + name + ".svg"); }
+
+  std::string force() const {
+    const ForceCurve& c = run_.force;
+    if (c.mm.empty()) return element("p", "Force on the plate: " + missing);
+    double low = 0, high = 0;
+    const auto reach = [&](double value) {
+      if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    };
+    std::vector<PlotInput::Row> curve, peaks, levels, uprights;
+    for (std::size_t k = 0; k < c.mm.size(); ++k) {
+      curve.push_back({{c.mm[k], c.fx[k], c.fy[k], c.f[k]}, ""});
+      for (const double value : {c.fx[k], c.fy[k], c.f[k]}) reach(value);
+    }
+    for (const auto& [mm, f] : maxima(c, 50)) peaks.push_back({{mm, f}, ""});
+    for (const Statement& s : statements_) {
+      const auto window = s.window.value_or(std::array{0.0, travel(run_)});
+      if (s.mark == "upright") uprights.push_back({{s.value}, s.label});
+      if (s.mark != "level") continue;
+      const auto middle = std::lower_bound(c.mm.begin(), c.mm.end(), 0.5 * (window[0] + window[1])) - c.mm.begin();
+      const bool under = middle < std::ssize(c.f) && c.f[static_cast<std::size_t>(middle)] > s.value;
+      levels.push_back({{window[0], window[1], s.value, under ? 1.0 : 0.0}, s.label});
+      reach(s.value);
+    }
+    if (low == high) high = 1;
+    PlotInput input;
+    input.set("end", travel(run_))
+        .set("bottom", low - 0.04 * (low < 0 ? high - low : 0))
+        .set("top", high + 0.1 * (high - low));
+    input.block("force", curve).block("peaks", peaks).block("levels", levels).block("uprights", uprights);
+    return figure(drawn(input, "force.gp", file("force"), "Force on the plate against its displacement"),
+                  "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
+                  "sum is largest, " +
+                      with_unit(measure(run_, "largest_force").value, "N") + ", at " +
+                      with_unit(measure(run_, "largest_force_at").value, "mm") +
+                      "; dotted: the numbers that the paper gives.");
+  }
+
+  std::string energy() const {
+    const Table& t = run_.energy;
+    if (t.rows() == 0) return element("p", "Energy ledger: " + missing);
+    const std::size_t last = t.rows() - 1;
+    const auto at = [&](const char* column, std::size_t row) { return t.numbers(column)[row]; };
+    const auto stored = [&](std::size_t row) {
+      return at("kinetic [J]", row) + at("gravity [J]", row) + at("load [J]", row) + at("springs [J]", row) +
+             at("contact elastic [J]", row);
+    };
+    const double work = at("plate work [J]", last), residual = at("residual [J]", last);
+    std::string caption = "Of the " + with_unit(work, "J") + " of work that the plate did,";
+    for (const auto& [name, column] : {std::pair{"sliding friction", "friction [J]"},
+                                       {"contact damping", "contact viscous [J]"},
+                                       {"rolling friction", "rolling [J]"},
+                                       {"link damping", "link damping [J]"},
+                                       {"tearing", "tear [J]"}}) {
+      const double lost = at(column, last);
+      if (lost != 0) caption += " " + std::string(name) + " took " + with_unit(lost, "J") + ",";
+    }
+    caption += " and " + with_unit(stored(last) - stored(0), "J") +
+               " are stored; the residual, what the ledger cannot place, is " + with_unit(residual, "J") + " (" +
+               with_unit(100 * residual / work, "%") + " of the work).";
+    PlotInput input;
+    input.set("end", travel(run_)).set("speed", plate_speed(run_)).set("start", stored(0)).set("energy", t.file());
+    input.set("rows_apart", std::max(1.0, std::floor(static_cast<double>(t.rows()) / 400)));
+    return figure(drawn(input, "energy.gp", file("energy"), "Energy ledger against displacement"), caption);
+  }
+
+  std::string statements() const {
+    std::string rows;
+    for (const Statement& s : statements_) {
+      const Measured ours = measure(run_, s.observable, s.window);
+      const double difference = ours.value - s.value;
+      const std::string sign = difference > 0 ? "+" : "";
+      std::string said = escaped(s.words), apart;
+      if (s.words.empty()) {
+        said = s.relation + (s.relation.empty() ? "" : " ") + number(s.value) + " " + s.unit;
+        if (ours.words.empty()) apart = sign + with_unit(difference, s.unit);
+        if (std::isfinite(difference) && s.value != 0 && s.unit != "mm") {
+          apart += element("small", sign + shown(100 * difference / s.value) + " %");
+        }
+      }
+      std::string got = ours.words.empty() ? with_unit(ours.value, s.unit) : escaped(ours.words);
+      if (!run_.finished() && got != missing) got += element("small", "of the part that ran");
+      rows += element("tr", element("td", escaped(s.quantity) + element("small", "ours: " + escaped(s.ours))) +
+                                element("td", said + element("small", escaped(s.where)), "words") +
+                                element("td", got, ours.words.empty() ? "number" : "words") +
+                                element("td", apart, "number"));
+    }
+    return rows;
+  }
+
+  std::string torn() const {
+    const Parts& parts = run_.lattices;
+    if (parts.link.count() == 0 || run_.force.mm.empty()) return {};
+    std::string rows;
+    for (const LinkClass kind : {LinkClass::structural, LinkClass::shear, LinkClass::bending}) {
+      const auto all = std::count(parts.link.kind.begin(), parts.link.kind.end(), kind);
+      std::vector<double> at;
+      int half = 0;
+      for (const TornLink& t : run_.torn) {
+        if (parts.link.kind[t.link] == kind) at.push_back(t.mm), half += half_fixed(parts, t.link);
+      }
+      std::string row = element("td", to_string(kind));
+      for (const std::string& cell :
+           {std::to_string(all), std::to_string(at.size()), std::to_string(half),
+            at.empty() ? "none" : with_unit(at.front(), "mm"), at.empty() ? "none" : with_unit(at.back(), "mm")}) {
+        row += element("td", cell, "number");
+      }
+      rows += element("tr", row);
+    }
+    return filled(figure_file("torn.html"), {{"rows", rows}});
+  }
+
+  const RunRecord& run_;
+  std::filesystem::path out_;
+  std::vector<Statement> statements_;
+};
+
+}  // namespace
+
+std::string fact_shown(const RunRecord& run, const std::string& key) {
+  const Fact* fact = run.fact(key);
+  if (!fact) return missing;
+  if (fact->fraction) return shown(std::strtod(fact->texts[0].c_str(), nullptr));
+  std::string all;
+  for (const std::string& text : fact->texts) all += (all.empty() ? "" : ", ") + escaped(text);
+  return all.empty() ? "none" : all;
+}
+
+std::string scene_section(const RunRecord& run, const Publication& paper, const std::filesystem::path& out) {
+  return SceneSection(run, paper, out).html();
+}
+
+}  // namespace furrow
