@@ -64,11 +64,14 @@ inline Case case_of(const std::filesystem::path& file) {
   return {file.stem(), frozen(prepared.scene, prepared.system, 0, prepared.y), step, steps};
 }
 
-inline std::vector<Case> cases() {
-  std::vector<Case> all;
-  for (const auto& file : std::filesystem::directory_iterator(scenes)) all.push_back(case_of(file.path()));
-  std::sort(all.begin(), all.end(), [](const Case& a, const Case& b) { return a.name < b.name; });
-  return all;
+inline const std::vector<Case>& cases() {
+  static const std::vector<Case> made = [] {
+    std::vector<Case> all;
+    for (const auto& file : std::filesystem::directory_iterator(scenes)) all.push_back(case_of(file.path()));
+    std::sort(all.begin(), all.end(), [](const Case& a, const Case& b) { return a.name < b.name; });
+    return all;
+  }();
+  return made;
 }
 
 struct Outcome {

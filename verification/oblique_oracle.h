@@ -57,21 +57,24 @@ inline ObliqueOutcome oblique_outcome(const ObliqueImpact& p, int steps) {
     const long double held = std::fmax(-limit, std::fmin(limit, shear * n.root * n.root * y.spring));
     const long double stick = -held - viscosity * n.root * y.slip;
     const long double force = std::fmax(-limit, std::fmin(limit, stick));
-    const long double time = duration * 630 * std::pow(x * (1 - x), 4.0L) / (a * n.root);  // dt/dx
+    const long double parabola = x * (1 - x);
+    const long double time = duration * 630 * parabola * parabola * parabola * parabola / (a * n.root);  // dt/dx
     return {p.kappa / p.mass * force * time, y.slip * time};
   };
   Tangent y{p.slip, 0};
+  Normal first = normal_at(0);
   const long double h = 1.0L / steps;
   for (int n = 0; n < steps; ++n) {
     const long double x = n * h;
     const Normal middle = normal_at(x + h / 2);
     const Normal last = normal_at(n + 1 == steps ? 1 : x + h);
-    const Tangent k1 = rates(x, y, normal_at(x));
+    const Tangent k1 = rates(x, y, first);
     const Tangent k2 = rates(x + h / 2, {y.slip + h / 2 * k1.slip, y.spring + h / 2 * k1.spring}, middle);
     const Tangent k3 = rates(x + h / 2, {y.slip + h / 2 * k2.slip, y.spring + h / 2 * k2.spring}, middle);
     const Tangent k4 = rates(x + h, {y.slip + h * k3.slip, y.spring + h * k3.spring}, last);
     y.slip += h / 6 * (k1.slip + 2 * k2.slip + 2 * k3.slip + k4.slip);
     y.spring += h / 6 * (k1.spring + 2 * k2.spring + 2 * k3.spring + k4.spring);
+    first = last;
     if (last.root == 0) continue;
     const long double longest = p.friction * last.force / (shear * last.root * last.root);
     y.spring = std::fmax(-longest, std::fmin(longest, y.spring));
