@@ -1,0 +1,157 @@
+#include "fault_study/workshop.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace furrow::verification {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+bool succeeds(const std::string& command, const fs::path& log) {
+  return std::system((command + " >" + quoted(log) + " 2>&1").c_str()) == 0;
+}
+
+// Only what differs is written, so that nothing else is built anew.
+void write(const fs::path& file, const std::string& text) {
+  if (!fs::exists(file) || text_of(file) != text) std::ofstream(file, std::ios::binary) << text;
+}
+
+void copy_tree(const fs::path& from, const fs::path& to) {
+  for (const char* part : {"src", "cmake", "tests/determinism", "verification", "CMakeLists.txt"}) {
+    if (!fs::is_directory(from / part)) {
+      write(to / part, text_of(from / part));
+      continue;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(from / part)) {
+      if (!entry.is_regular_file()) continue;
+      const fs::path target = to / fs::relative(entry.path(), from);
+      fs::create_directories(target.parent_path());
+      write(target, text_of(entry.path()));
+    }
+  }
+}
+
+std::string scenes_of(const fs::path& tree) {
+  std::set<fs::path> files;  // sorted
+  for (const auto& entry : fs::directory_iterator(tree / "validation/scenes")) files.insert(entry.path());
+  std::string text;
+  for (const fs::path& file : files) text += text_of(file);
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+std::vector<Page> pages_of(const Places& places) {
+  std::set<fs::path> sources;  // sorted
+  for (const auto& entry : fs::directory_iterator(places.tree / "verification")) {
+    if (entry.path().extension() == ".cpp") sources.insert(entry.path());
+  }
+  std::vector<Page> pages;
+  static const std::regex test(R"(\bTEST\((\w+), (\w+)\))");
+  for (const fs::path& source : sources) {
+    Page page{source.stem(), {}, {}};
+    const std::string text = text_of(source);
+    for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
+      page.tests.push_back((*found)[1].str() + "." + (*found)[2].str());
+    if (page.tests.empty()) continue;
+    page.object = text_of(places.objects() / (source.filename().string() + ".o"));
+    pages.push_back(std::move(page));
+  }
+  return pages;
+}
+
+Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild)
+    : places_(places), home_(places.work / name), target_(rebuild ? "rebuilt_tests" : "faulty_tests"), jobs_(jobs) {
+  fs::create_directories(home_ / "tree");
+  fs::create_directories(places.verdicts());
+  copy_tree(places.tree, home_ / "tree");
+  const bool cached = std::system("command -v ccache >/dev/null") == 0;
+  const fs::path log = home_ / "configure.log";
+  if (!succeeds("cmake -S " + quoted(places.tree / "verification/fault_study") + " -B " + quoted(home_ / "build") +
+                    " -G Ninja -DCMAKE_BUILD_TYPE=Release -DTREE=" + quoted(home_ / "tree") +
+                    " -DSOURCE_DIR=" + quoted(places.tree) + " -DPAGES=" + quoted(places.objects()) +
+                    " -DLIBRARY=" + quoted(places.sound_build / "libfurrow.a") +
+                    (cached ? " -DCMAKE_CXX_COMPILER_LAUNCHER=ccache" : ""),
+                log)) {
+    configure_trouble_ = "the copy cannot be configured, see " + log.string();
+  }
+}
+
+std::string Workshop::build(const Change& change) {
+  if (!configure_trouble_.empty()) return configure_trouble_;
+  if (!changed_.empty()) write(home_ / "tree" / changed_, text_of(places_.tree / changed_));
+  changed_ = change.file;
+  if (!change.file.empty()) {
+    std::string text = text_of(places_.tree / change.file);
+    const std::size_t at = text.find(change.old_text);
+    if (change.old_text.empty() || at == std::string::npos) return "the text to change is not in " + change.file;
+    if (text.find(change.old_text, at + 1) != std::string::npos)
+      return "the text to change stands twice in " + change.file;
+    write(home_ / "tree" / change.file, text.replace(at, change.old_text.size(), change.new_text));
+  }
+  const fs::path log = home_ / "build.log";
+  const fs::path build = home_ / "build";
+  if (!succeeds("cmake --build " + quoted(build) + " --target " + target_ + " -j " + std::to_string(jobs_), log))
+    return "does not build, see " + log.string();
+  library_ = text_of(build / "tree/libfurrow.a") + text_of(build / "CMakeFiles/inlined.dir/inlined.cpp.o");
+  return "";
+}
+
+std::set<std::string> Workshop::failing_tests(const Page& page) const {
+  const std::hash<std::string> hash;
+  char key[64];
+  std::snprintf(key, sizeof key, "%s-%016zx%016zx", target_.substr(0, 1).c_str(), hash(library_),
+                hash(page.object + scenes_of(places_.tree)));
+  const fs::path kept = places_.verdicts() / key;
+  std::set<std::string> failing;
+  if (!fs::exists(kept)) {
+    std::string text;
+    for (const std::string& test : run(page)) text += test + "\n";
+    write(kept.string() + ".part", text);
+    fs::rename(kept.string() + ".part", kept);
+  }
+  std::istringstream lines(text_of(kept));
+  for (std::string test; std::getline(lines, test);) failing.insert(test);
+  return failing;
+}
+
+// A page has a minute of the processor for what takes seconds. A test that neither failed nor passed brought the page
+// down.
+std::set<std::string> Workshop::run(const Page& page) const {
+  std::string filter;
+  for (const std::string& test : page.tests) filter += (filter.empty() ? "" : ":") + test;
+  const fs::path log = home_ / "run.log";
+  succeeds("ulimit -t 60 -v 4000000; FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
+               quoted(home_ / "build" / target_) + " --gtest_filter=" + filter,
+           log);
+  const std::string text = text_of(log);
+  const auto tests_with = [&](const char* mark) {
+    const std::regex line(std::string(mark) + R"( (\w+\.\w+))");
+    std::set<std::string> tests;
+    for (std::sregex_iterator found(text.begin(), text.end(), line), end; found != end; ++found)
+      tests.insert((*found)[1]);
+    return tests;
+  };
+  std::set<std::string> failing = tests_with(R"(\[ RUN      \])");
+  if (failing.empty()) return {page.tests.begin(), page.tests.end()};
+  for (const std::string& good : tests_with(R"(\[       OK \])")) failing.erase(good);
+  return failing;
+}
+
+}  // namespace furrow::verification
