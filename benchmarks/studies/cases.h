@@ -36,6 +36,7 @@ struct CaseInfo {
   double reference_step = 0;        // s, of rk4
   double other_step = 0;            // s, of the other reference, the longest one if it is controlled
   std::string other = "odeint_dopri5";
+  bool tears = false;    // every method is tried with and without locating them
   double nudge_end = 0;  // s, how long the scene is watched for its predictability
   bool big = false;      // seconds a run: left out of the quick form
   std::function<Scene()> scene;

@@ -95,12 +95,16 @@ double rounded(double value) {
 
 }  // namespace
 
-Ladder climb(const MethodInfo& method, const CaseInfo& info, const Case& scene, const Reference& reference) {
-  Ladder ladder{.method = method.name};
+Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, const Reference& reference) {
+  const MethodInfo& method = variant.method;
+  Ladder ladder{.method = method.name, .locates_tears = variant.locates_tears};
   const double length = scene.span.end() - scene.span.start;
   const long most = std::lround(4 * length / info.finest);
   for (const double setting : settings_of(info, method.controlled)) {
-    Effort effort{.method = method.name, .step = scene.span.interval, .most_evaluations = most};
+    Effort effort{.method = method.name,
+                  .step = scene.span.interval,
+                  .locate_tears = variant.locates_tears,
+                  .most_evaluations = most};
     if (method.controlled) {
       effort.tolerance = setting;
     } else {
@@ -141,14 +145,15 @@ Json json_of(const Ladder& ladder) {
     }
     points.push_back(one);
   }
-  Json json = {{"method", ladder.method}, {"points", points}};
+  Json json = {{"method", ladder.method}, {"locates_tears", ladder.locates_tears}, {"points", points}};
   if (!ladder.left_out.empty()) json["left_out"] = ladder.left_out;
   return json;
 }
 
 Ladder ladder_from(const Json& json) {
   if (json.contains("failed")) throw std::runtime_error(json.at("failed").get<std::string>());
-  Ladder ladder{.method = json.at("method"), .left_out = json.value("left_out", "")};
+  Ladder ladder{
+      .method = json.at("method"), .locates_tears = json.at("locates_tears"), .left_out = json.value("left_out", "")};
   for (const Json& p : json.at("points")) {
     Point point{.setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
     point.error = {p.value("place", 0.0), p.value("force", 0.0)};

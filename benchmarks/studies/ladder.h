@@ -16,13 +16,20 @@ struct Point {
 };
 
 struct Ladder {
-  std::string method, left_out{};  // why the method cannot run here
-  std::vector<Point> points{};     // from coarse to fine
+  std::string method;
+  bool locates_tears = false;
+  std::string left_out{};       // why the method cannot run here
+  std::vector<Point> points{};  // from coarse to fine
+  std::string name() const { return method + (locates_tears ? " +t" : ""); }
 };
 
 // Steps are halved, tolerances divided by ten, from the coarsest on until the error is below the floor of the reference
 // or a run costs more evaluations than rk4 with the finest step.
-Ladder climb(const MethodInfo& method, const CaseInfo& info, const Case& scene, const Reference& reference);
+struct Variant {
+  MethodInfo method;
+  bool locates_tears = false;
+};
+Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, const Reference& reference);
 
 Json json_of(const Ladder& ladder);
 Ladder ladder_from(const Json& json);

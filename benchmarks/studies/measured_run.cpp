@@ -82,10 +82,11 @@ Outcome run_case(const Case& scene, const Effort& effort) {
       effort.method,
       {.relative = effort.tolerance, .absolute = 0.01 * effort.tolerance, .first_step = std::min(1e-4, effort.step)});
   Sampler sampler(scene, outcome);
-  const RunPlan plan{
-      .start = scene.span.start, .end = scene.span.end(), .step = effort.step, .stop = [&sampler](double) {
-        return sampler.next();
-      }};
+  const RunPlan plan{.start = scene.span.start,
+                     .end = scene.span.end(),
+                     .step = effort.step,
+                     .stop = [&sampler](double) { return sampler.next(); },
+                     .locate_tears = effort.locate_tears};
   const double begun = cpu_seconds();
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& jump) {
     outcome.torn += static_cast<int>(jump.torn.size());
@@ -95,7 +96,7 @@ Outcome run_case(const Case& scene, const Effort& effort) {
   outcome.cpu = cpu_seconds() - begun;
   outcome.reached = end.time;
   outcome.steps = end.steps;
-  outcome.evaluations = method->evaluations();
+  outcome.evaluations = method->evaluations() + 2 * end.located;
   if (end.ending == Ending::diverged) outcome.failure = end.reason;
   if (end.ending == Ending::stopped)
     outcome.failure = "not at the end after " + std::to_string(effort.most_evaluations) + " evaluations";

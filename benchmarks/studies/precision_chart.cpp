@@ -13,8 +13,10 @@ constexpr std::array<double Point::*, 2> costs{&Point::evaluations, &Point::cpu}
 constexpr std::array<const char*, 2> cost_names{"evaluations", "cpu"};
 
 // Line styles of the script work_precision.gp, in its order.
-const std::vector<std::string> styled{
-    "pece", "pec", "pecece", "adams_bashforth_2", "pece_adaptive", "symplectic_euler", "verlet", "rk4", "rkc", "imex"};
+const std::vector<std::string> styled{"pece",      "pec",    "pecece", "ab2",  "pece_adaptive", "symplectic_euler",
+                                      "verlet",    "rk4",    "rkc",    "imex", "pece +t",       "pece_adaptive +t",
+                                      "verlet +t", "rk4 +t", "rkc +t"};
+const std::vector<std::string> located(styled.begin() + 10, styled.end());
 const std::vector<std::string> families{"odeint Runge-Kutta", "odeint Adams", "odeint controlled", "odeint symplectic",
                                         "odeint implicit"};
 constexpr int first_family_style = 21;
@@ -39,6 +41,14 @@ int style_of(const std::string& curve) {
   if (family != families.end()) return first_family_style + static_cast<int>(family - families.begin());
   const auto own = std::find(styled.begin(), styled.end(), curve);
   return 1 + static_cast<int>(own - styled.begin());
+}
+
+// Of the variants that locate tears the chart shows some; all are in the tables and the data.
+std::string curve_of(const Ladder& ladder) {
+  const std::string family = family_of(ladder.method);
+  if (family != ladder.method) return family;
+  const bool drawn = std::find(located.begin(), located.end(), ladder.name()) != located.end();
+  return ladder.locates_tears && !drawn ? "" : ladder.name();
 }
 
 struct Mark {
@@ -82,7 +92,8 @@ void keep_envelope(std::vector<Mark>& marks) {
 std::map<std::pair<int, std::string>, Curve> curves_of(const std::vector<Ladder>& ladders, bool by_force) {
   std::map<std::pair<int, std::string>, Curve> curves;
   for (const Ladder& ladder : ladders) {
-    const std::string family = family_of(ladder.method);
+    const std::string family = curve_of(ladder);
+    if (family.empty()) continue;
     add(curves[{style_of(family), family}], ladder, by_force);
   }
   for (auto& [key, curve] : curves) {

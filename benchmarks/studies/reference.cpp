@@ -42,8 +42,9 @@ double apart(const State& a, const State& b, int numbers) {
 }  // namespace
 
 Json reference_runs(const CaseInfo& info, const Case& scene) {
-  const Outcome fine = complete_run(scene, {.method = "rk4", .step = info.reference_step});
-  const Outcome unlike = complete_run(scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10});
+  const Outcome fine = complete_run(scene, {.method = "rk4", .step = info.reference_step, .locate_tears = true});
+  const Outcome unlike =
+      complete_run(scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10, .locate_tears = true});
   return {{"fine", json_of(fine)}, {"other", info.other}, {"unlike", json_of(unlike)}};
 }
 
@@ -66,7 +67,8 @@ Json predictability(const CaseInfo& info, const Case& scene) {
     const double t = scene.span.start + n * scene.span.interval;
     for (int k = 0; k < 2; ++k) {
       const RunEnd end =
-          run(system[k], *method[k], y[k], {.start = t, .end = t + scene.span.interval, .step = short_step, .stop = {}},
+          run(system[k], *method[k], y[k],
+              {.start = t, .end = t + scene.span.interval, .step = short_step, .stop = {}, .locate_tears = true},
               [](double, const State&, const JumpReport&) { return true; });
       if (end.ending != Ending::finished) throw Divergence(end.reason);
     }

@@ -31,13 +31,13 @@ Cheapest cheapest_at(const Found& found, double error, double Point::*cost) {
   Cheapest best;
   for (const Ladder& ladder : found.ladders) {
     const double its = cost_at(ladder, error, found.info.by_force, cost);
-    if (its < best.cost || (std::isnan(best.cost) && !std::isnan(its))) best = {ladder.method, its};
+    if (its < best.cost || (std::isnan(best.cost) && !std::isnan(its))) best = {ladder.name(), its};
   }
   return best;
 }
 
 const Ladder& paper_ladder(const Found& found) {
-  return *std::find_if(found.ladders.begin(), found.ladders.end(), [](const Ladder& l) { return l.method == "pece"; });
+  return *std::find_if(found.ladders.begin(), found.ladders.end(), [](const Ladder& l) { return l.name() == "pece"; });
 }
 
 // The paper's method at the paper's step, or nothing if that failed.
@@ -89,21 +89,29 @@ std::vector<Found> all_runs(const Settings& settings, const std::vector<CaseInfo
     found.push_back({wanted[k], reference_from(known[2 * k]), known[2 * k + 1], {}});
   }
   tasks.clear();
-  for (const Found& f : found) {
+  std::vector<std::pair<Found*, Variant>> climbers;
+  for (Found& f : found) {
     for (const MethodInfo& method : method_catalogue()) {
-      tasks.push_back({f.info.name + " " + method.name, [&scenes, &f, method] {
-                         return json_of(climb(method, f.info, scenes.of(f.info), f.reference));
-                       }});
+      climbers.push_back({&f, {method, false}});
+      if (f.info.tears) climbers.push_back({&f, {method, true}});
     }
+  }
+  for (const auto& climber : climbers) {
+    Found* f = climber.first;
+    const Variant variant = climber.second;
+    tasks.push_back(
+        {f->info.name + " " + variant.method.name + (variant.locates_tears ? " located" : ""),
+         [&scenes, f, variant] { return json_of(climb(variant, f->info, scenes.of(f->info), f->reference)); }});
   }
   Settings alone = settings;  // two at a time disturb each other's caches
   alone.jobs = 1;
   const std::vector<Json> climbed = run_tasks("work_precision", alone, tasks);
   for (std::size_t k = 0; k < climbed.size(); ++k) {
-    Found& of = found[k / method_catalogue().size()];
-    const std::string method = method_catalogue()[k % method_catalogue().size()].name;
-    of.ladders.push_back(climbed[k].contains("failed") ? Ladder{.method = method, .left_out = climbed[k]["failed"]}
-                                                       : ladder_from(climbed[k]));
+    const auto& [f, variant] = climbers[k];
+    Ladder failed{.method = variant.method.name,
+                  .locates_tears = variant.locates_tears,
+                  .left_out = climbed[k].value("failed", "")};
+    f->ladders.push_back(climbed[k].contains("failed") ? failed : ladder_from(climbed[k]));
   }
   return found;
 }
@@ -207,12 +215,12 @@ void add_paper(Report& report, const Found& f) {
 void add_failures(Report& report, const Found& f) {
   std::string left_out, failed, example;
   for (const Ladder& l : f.ladders) {
-    if (!l.left_out.empty()) left_out += " " + l.method + " is left out: " + l.left_out + ".";
+    if (!l.left_out.empty()) left_out += " " + l.name() + " is left out: " + l.left_out + ".";
     const auto finest =
         std::find_if(l.points.rbegin(), l.points.rend(), [](const Point& p) { return !p.failure.empty(); });
     if (finest == l.points.rend()) continue;
-    failed += (failed.empty() ? "" : ", ") + l.method + " " + shown(finest->setting);
-    if (example.empty()) example = l.method + " at " + shown(finest->setting) + ": " + finest->failure;
+    failed += (failed.empty() ? "" : ", ") + l.name() + " " + shown(finest->setting);
+    if (example.empty()) example = l.name() + " at " + shown(finest->setting) + ": " + finest->failure;
   }
   if (!failed.empty())
     report.text("Finest step (of controlled methods: tolerance) that failed: " + failed + ". The first of them, " +
@@ -239,7 +247,8 @@ Json work_precision(const Settings& settings) {
       "which repeat to the digit, and CPU seconds on one thread, median and spread of three to nine runs. All "
       "methods run through the same loop, with the same jump after each step, samples, and no energy ledger. The "
       "jump evaluates the contacts once more and is not counted among the evaluations: a method with many cheap "
-      "steps pays for it in CPU time.");
+      "steps pays for it in CPU time. +t: tears are located within the step, at two evaluations each, as in the "
+      "references.");
   add_gains(report, all);
   for (const Found& f : all) {
     report.heading(f.info.name + ": " + f.info.title);
@@ -251,7 +260,7 @@ Json work_precision(const Settings& settings) {
   add_predictability(report, all);
   Json data = {{"columns", "setting evaluations position_error force_error cpu cpu_least cpu_most, or failure"}};
   for (const Found& f : all) {
-    for (const Ladder& l : f.ladders) data[f.info.name][l.method] = lines_of(l);
+    for (const Ladder& l : f.ladders) data[f.info.name][l.name()] = lines_of(l);
   }
   return report.data(std::move(data)).json();
 }
