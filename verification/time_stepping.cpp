@@ -128,7 +128,8 @@ TEST(TimeStepping, UndampedMotionKeepsTheInvariants) {
 TEST(TimeStepping, OrdersAreThoseThatAreClaimed) {
   requirement("methods.order");
   for (const MethodInfo& info : method_catalogue()) {
-    if (info.order > 5) continue;  // lost in round-off
+    // Boost.Odeint's own are held to theirs by the order certificate, on problems that each of them can take.
+    if (info.family != "own") continue;
     const int pairs = info.order > 3 ? 8 : 64;
     const double coarse = error_after(*make_method(info.name, lax), follows_sine, pairs, 1);
     const double fine = error_after(*make_method(info.name, lax), follows_sine, 2 * pairs, 1);

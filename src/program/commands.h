@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -25,6 +26,13 @@ Scene requested_scene(const RunOptions& options);
 
 int run_command(const RunOptions& options);
 int explain_command(const RunOptions& options);
+
+struct StabilityOptions {
+  std::string scene;
+  std::vector<std::string> methods;  // none: all that step by themselves
+  double at = 0;                     // s
+};
+int stability_command(const StabilityOptions& options);
 
 struct ReportOptions {
   std::string directory = "report";

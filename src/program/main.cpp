@@ -78,6 +78,12 @@ int parse_and_run(int argc, char** argv) {
       app.add_subcommand("explain", "what of a scene is modelled, what is left out, and what follows from its numbers");
   add_overrides(explain);
 
+  StabilityOptions standing;
+  auto* stability = app.add_subcommand("stability", "how long a step each method may take in a scene where it stands");
+  stability->add_option("scene", standing.scene, "scene file (TOML)")->required();
+  stability->add_option("--method", standing.methods, "methods (default: all that take a fixed step)");
+  stability->add_option("--at", standing.at, "when, s of the run (default: the start)")->check(CLI::NonNegativeNumber);
+
   auto* methods = app.add_subcommand("methods", "list the integration methods");
 
   ReportOptions reported;
@@ -111,6 +117,7 @@ int parse_and_run(int argc, char** argv) {
   if (*run) return run_command(options);
   if (*check) return check_command(scenes);
   if (*explain) return explain_command(options);
+  if (*stability) return stability_command(standing);
   if (*methods) return methods_command();
   if (*golden) return golden_command(asked);
   if (*study) return study_command(studied);

@@ -6,14 +6,6 @@
 namespace furrow {
 namespace {
 
-std::string partner_name(const System& system, const TouchBlock& c, int k) {
-  const Parts& parts = system.parts();
-  const std::string own = of_disc(c.kind) ? parts.body_name(c.a[k]) : parts.node_name(c.a[k]);
-  if (c.kind == disc_disc) return own + " and " + parts.body_name(c.b[k]);
-  if (c.kind == disc_lattice) return own + " and lattice " + parts.lattice[c.b[k]].name;
-  return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b[k]);
-}
-
 void add_motion(const System& system, const State& y, Observation& seen) {
   const Parts& parts = system.parts();
   const NodeArrays& node = parts.node;
@@ -43,6 +35,14 @@ void add_motion(const System& system, const State& y, Observation& seen) {
 
 }  // namespace
 
+std::string touch_name(const System& system, const TouchBlock& c, int k) {
+  const Parts& parts = system.parts();
+  const std::string own = of_disc(c.kind) ? parts.body_name(c.a[k]) : parts.node_name(c.a[k]);
+  if (c.kind == disc_disc) return own + " and " + parts.body_name(c.b[k]);
+  if (c.kind == disc_lattice) return own + " and lattice " + parts.lattice[c.b[k]].name;
+  return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b[k]);
+}
+
 double Energies::residual(const Energies& start) const {
   return (stored() - start.stored()) + (lost() - start.lost()) - (plate_work - start.plate_work) -
          (stiffening - start.stiffening);
@@ -58,7 +58,7 @@ Observation observe(const System& system, double t, const State& y) {
       seen.energy.contact_elastic += stored_energy(c, k);
       const double size = of_disc(c.kind) ? c.radius_a[k] : parts.node.contact_radius[c.a[k]];
       if (c.overlap[k] / size > seen.overlap.relative) {
-        seen.overlap = {c.overlap[k], c.overlap[k] / size, partner_name(system, c, k)};
+        seen.overlap = {c.overlap[k], c.overlap[k] / size, touch_name(system, c, k)};
       }
       if (c.kind != disc_plate && c.kind != node_plate) continue;
       seen.plate[c.b[k]].x -= c.force_x(k);

@@ -8,6 +8,7 @@
 
 #include "system/events.h"
 #include "system/locate.h"
+#include "system/stiffness.h"
 
 namespace furrow {
 namespace {
@@ -24,8 +25,8 @@ class Watch {
     }
   }
 
-  // Empty if the step from `before` to `after` is sound.
-  std::string complaint(const State& before, const State& after, double h) const {
+  // Empty if the step from `before` to `after` is sound; else `body` is the one that went too far, if any.
+  std::string complaint(const State& before, const State& after, double h, int& body) const {
     // Whole numbers for the verdicts: they may be taken in any order, thus several at once. The exponent of what is not
     // finite is all ones: one more carries into the sign.
     constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
@@ -42,6 +43,7 @@ class Watch {
     for (int i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
       if (moved <= size_[i]) continue;
+      body = i;
       text << system_.parts().body_name(i);
       if (std::isfinite(moved)) {
         text << " moved " << moved << " m in one step of " << h << " s, more than its size of " << size_[i] << " m";
@@ -59,6 +61,19 @@ class Watch {
   std::vector<double> size_;  // m, by body
 };
 
+// What a run that has blown up was driven by, as far as the last good state shows it.
+std::string driven_by(const System& system, double t, const State& y, int body, const std::string& method) {
+  const StiffPart bond = stiffest_bond(system, t, y, body);
+  if (bond.name.empty()) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "; the stiffest that acts there is " << bond.name << ", omega " << bond.oscillator.omega
+       << " rad/s, damping ratio " << bond.oscillator.zeta;
+  const double limit = largest_stable_step(method, bond.oscillator);
+  if (std::isfinite(limit)) text << ", which by itself allows " << method << " a step of " << limit << " s";
+  return text.str();
+}
+
 }  // namespace
 
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
@@ -70,15 +85,20 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   bool off_grid = false;  // a tear was located between two of them
   const double tiny = 1e-9 * plan.step;
   State before = y;
+  int body = -1;
   const auto check = [&](const State& from, const State& to, double h) {
-    if (const std::string complaint = watch.complaint(from, to, h); !complaint.empty()) throw Divergence(complaint);
+    if (const std::string complaint = watch.complaint(from, to, h, body); !complaint.empty())
+      throw Divergence(complaint);
   };
   EventSteps stepper(system, method, check);
+  const auto accept = [&](const JumpReport& report) {
+    before = y;
+    if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+  };
   try {
     JumpReport report = system.jump(plan.start, y);
-    if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+    accept(report);
     while (end.ending == Ending::finished && end.time < plan.end - tiny) {
-      before = y;
       double next = plan.start + static_cast<double>(grid + 1) * plan.step;
       if (!fixed) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
       if (next > plan.end - tiny) next = plan.end;
@@ -87,7 +107,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
         end.time = stepper.step(end.time, y, next, plan.step, report);
         ++grid;
         ++end.steps;
-        if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+        accept(report);
         continue;
       }
       const bool regular = fixed && !off_grid && next != plan.end;
@@ -107,12 +127,12 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       } else if (report.springs_changed) {
         method.state_changed();
       }
-      if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+      accept(report);
     }
   } catch (const Divergence& failure) {
     y = before;
     end.ending = Ending::diverged;
-    end.reason = failure.what();
+    end.reason = failure.what() + driven_by(system, end.time, y, body, method.info().name);
   }
   end.events = stepper.events();
   end.event_evaluations = stepper.evaluations();

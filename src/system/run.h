@@ -30,7 +30,7 @@ struct RunPlan {
   bool locate_tears = false;  // end a step where a link tears, or else learn of it at its end
 };
 
-// Called with the start and after each accepted step; false stops the run.
+// Called with the start and after each accepted step; false stops the run, a Divergence thrown ends it as such.
 using AfterStep = std::function<bool(double t, const State& y, const JumpReport& jump)>;
 
 // y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more

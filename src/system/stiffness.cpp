@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "system/observe.h"
+
 namespace furrow {
 namespace {
 
@@ -108,6 +110,38 @@ StiffPart stiffest_part(const System& system, double t, const State& y) {
     stiffest.spins = std::fabs(modes.eigenvectors()(2, 2)) > 0.7;
   }
   return stiffest;
+}
+
+StiffPart stiffest_bond(const System& system, double t, const State& y, int body) {
+  const Parts& parts = system.parts();
+  StiffPart best;
+  best.oscillator = {0, 0};
+  bool on_body = false;
+  const auto take = [&](double stiffness, double viscosity, double mass, bool own, const auto& name) {
+    const double omega = std::sqrt(stiffness / mass);
+    const Oscillator o{omega, omega > 0 ? viscosity / (2 * mass * omega) : 0};
+    if (own < on_body || (own == on_body && !(fastest_rate(o) > fastest_rate(best.oscillator)))) return;
+    on_body = own;
+    best = {o, name()};
+  };
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k) {
+      const int a = of_disc(c.kind) ? c.a[k] : parts.node.body[c.a[k]];
+      const double viscosity = parts.law[c.law[k]].viscosity * std::sqrt(c.stiffness[k] * c.reduced_mass[k]);
+      take(c.stiffness[k], viscosity, c.reduced_mass[k], a == body || (c.kind == disc_disc && c.b[k] == body),
+           [&] { return "the contact of " + touch_name(system, c, k); });
+    }
+  });
+  const auto inverse_mass = [&](int n) { return parts.node.body[n] < 0 ? 0 : 1 / parts.node.mass[n]; };
+  for (int k = 0; k < parts.link.count(); ++k) {
+    const int a = parts.link.a[k];
+    const int b = parts.link.b[k];
+    if (system.torn(k) || inverse_mass(a) + inverse_mass(b) == 0) continue;
+    take(parts.link.stiffness[k], parts.link.damping[k], 1 / (inverse_mass(a) + inverse_mass(b)),
+         body >= 0 && (parts.node.body[a] == body || parts.node.body[b] == body),
+         [&] { return "the " + parts.link_name(k); });
+  }
+  return best;
 }
 
 std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,

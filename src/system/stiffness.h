@@ -22,6 +22,10 @@ struct StiffPart {
 // more (Gershgorin). A name is empty if nothing acts on anything.
 StiffPart stiffest_part(const System& system, double t, const State& y);
 
+// The stiffest contact or link on one body, or of all if that has none or is negative, each alone between its two
+// parts: where a run that has blown up most likely began. `contacts` and `spins` are not set.
+StiffPart stiffest_bond(const System& system, double t, const State& y, int body);
+
 // What a user should know before he trusts a run with this method and step, one text each; empty if there is nothing.
 std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,
                                        double step);

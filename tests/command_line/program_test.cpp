@@ -258,4 +258,31 @@ TEST_F(Program, MethodsListsTheCatalogue) {
   }
 }
 
+// Below the limit that `stability` prints a run holds; above it the beam's energy grows, and the run says so.
+TEST_F(Program, StabilityPrintsTheStepThatARunSurvives) {
+  const Result r = furrow("stability " + scene("cantilever") + " --method pece");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.out.find("driven by        structural link from node"), std::string::npos) << r.out;
+  std::istringstream row(r.out.substr(r.out.find("\npece ")));
+  std::string method;
+  double predicted = 0, measured = 0;
+  row >> method >> predicted >> measured;
+  EXPECT_NEAR(measured / predicted, 1, 0.02) << r.out;
+  const auto run_at = [&](double step) {
+    return furrow("run " + scene("cantilever") + " --dt " + std::to_string(step) + " --out beam");
+  };
+  EXPECT_EQ(run_at(0.97 * predicted).code, 0);
+}
+
+TEST_F(Program, ABlownUpRunNamesTheContactThatDrivesIt) {
+  const Result r = furrow("run " + scene("scenario_1") + " --dt 0.02 --out here");
+  EXPECT_EQ(r.code, 3) << r.err;
+  EXPECT_NE(r.err.find("the contact of node"), std::string::npos) << r.err;
+}
+
+TEST_F(Program, StabilityRefusesWhatHasNoLimit) {
+  EXPECT_EQ(furrow("stability " + scene("cantilever") + " --method odeint_dopri5").code, 2);
+  EXPECT_EQ(furrow("stability " + scene("cantilever") + " --at 99").code, 2);
+}
+
 }  // namespace

@@ -165,7 +165,7 @@ double first_growth(const std::function<bool(double)>& grows, double most) {
   double unstable = 1e-3;
   while (!grows(unstable)) {  // outwards, so that a second region of stability further out does not count
     stable = unstable;
-    unstable *= 1.02;
+    unstable *= 1.05;
     if (unstable > most) return most;
   }
   while (unstable - stable > 1e-6 * unstable) {

@@ -1,0 +1,73 @@
+// How long a step each method may take in a scene where it stands.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "methods/method.h"
+#include "program/commands.h"
+#include "program/progress.h"
+#include "scene/read.h"
+#include "studies/scene_stability.h"
+
+namespace furrow {
+namespace {
+
+std::string seconds(double step) {
+  if (std::isnan(step)) return "not known";
+  if (std::isinf(step)) return "any";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", step);
+  return text;
+}
+
+void print_standing(const StabilityOptions& options, const Scene& scene, const studies::Standing& s) {
+  std::printf("%s\n%s\n\nat t = %g s %td numbers act\n", options.scene.c_str(), scene.title.c_str(), s.t,
+              static_cast<std::ptrdiff_t>(s.linearised.acting.size()));
+  if (s.fastest == 0.0) {
+    std::printf("nothing acts on anything here: try --at with a later time\n");
+    return;
+  }
+  std::printf("fastest motion   lambda = %.4g %+.4g i 1/s\ndriven by        %s (%s), %.0f %% of its power\n",
+              s.fastest.real(), std::fabs(s.fastest.imag()), s.driver.name.c_str(), s.driver.how.c_str(),
+              100 * s.driver.share);
+}
+
+}  // namespace
+
+int stability_command(const StabilityOptions& options) {
+  for (const std::string& method : options.methods) {
+    if (make_method(method)->info().controlled)
+      throw std::invalid_argument(method + " chooses its own step: it has no largest stable one");
+  }
+  const Scene scene = requested_scene({.scene = options.scene});
+  if (options.at > scene.time.end) throw std::invalid_argument("--at is beyond the end of the scene");
+  Progress progress;
+  const studies::Standing s = studies::standing_at(scene, options.at, [&](double done, double total) {
+    return progress.show(options.scene, "running", done, total);
+  });
+  print_standing(options, scene, s);
+  const double own = scene.time.step;
+  std::printf("\n%-28s %10s %10s   %s\n", "largest stable step [s]", "predicted", "measured",
+              ("the next 200 steps of " + seconds(own) + " s").c_str());
+  for (const MethodInfo& info : method_catalogue()) {
+    const auto& wanted = options.methods;
+    const bool named = std::find(wanted.begin(), wanted.end(), info.name) != wanted.end();
+    if ((!named && !wanted.empty()) || (!named && !studies::has_stable_step(s, info))) continue;
+    if (const std::string why = refusal(info, s.system); !why.empty()) throw std::invalid_argument(why);
+    const studies::StableStep step = studies::stable_step(s, info.name);
+    const studies::Books books = studies::run_on(s, info.name, own);
+    std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.predicted).c_str(),
+                seconds(step.measured).c_str());
+    std::printf("%s; ", own < step.measured ? "stable" : "UNSTABLE");
+    if (books.diverged.empty())
+      std::printf("%.1e of the energy is made up\n", books.share());
+    else
+      std::printf("diverged: %s\n", books.diverged.c_str());
+  }
+  std::printf(
+      "\npredicted: amplification factor over the spectrum; measured: above it small changes grow, by the method "
+      "itself, time held still\n");
+  return good;
+}
+
+}  // namespace furrow

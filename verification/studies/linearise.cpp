@@ -1,0 +1,207 @@
+#include "studies/linearise.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "system/observe.h"
+
+namespace furrow::studies {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using ComplexVector = Eigen::VectorXcd;
+
+// Widths of the differences: far below the overlaps and speeds that forces change over, far above round-off.
+constexpr double width_of_positions = 1e-9;   // m
+constexpr double width_of_velocities = 1e-8;  // m/s
+constexpr double width_of_spins = 1e-6;       // rad/s
+constexpr double width_of_springs = 1e-9;     // m
+
+std::vector<int> slots_in_use(const System& system, double t, const State& y) {
+  std::vector<int> used;
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k)
+      if (c.slot[k] >= 0) used.push_back(system.first_spring() + c.slot[k]);
+  });
+  std::sort(used.begin(), used.end());
+  return used;
+}
+
+double width(const System& system, int place) {
+  const int positions = static_cast<int>(system.positions());
+  if (place < positions) return width_of_positions;
+  if (place < 2 * positions) return width_of_velocities;
+  return place < system.first_spring() ? width_of_spins : width_of_springs;
+}
+
+}  // namespace
+
+Linearised linearise(const System& system, double t, const State& y) {
+  Linearised l;
+  l.positions = static_cast<Eigen::Index>(system.positions());
+  for (int k = 0; k < system.first_spring(); ++k) l.acting.push_back(k);
+  const std::vector<int> springs = slots_in_use(system, t, y);
+  l.acting.insert(l.acting.end(), springs.begin(), springs.end());
+  const int n = static_cast<int>(l.acting.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  State moved = y;
+  State above(y.size());
+  State below(y.size());
+  for (int column = 0; column < n; ++column) {
+    const int place = l.acting[column];
+    const double d = width(system, place);
+    moved[place] = y[place] + d;
+    system.rhs(t, moved, above);
+    const double up = moved[place];
+    moved[place] = y[place] - d;
+    system.rhs(t, moved, below);
+    const double across = up - moved[place];
+    moved[place] = y[place];
+    for (int row = 0; row < n; ++row) {
+      const double difference = above[l.acting[row]] - below[l.acting[row]];
+      if (difference != 0) entries.emplace_back(row, column, difference / across);
+    }
+  }
+  l.rates.resize(n, n);
+  l.rates.setFromTriplets(entries.begin(), entries.end());
+  return l;
+}
+
+ComplexVector spectrum(const Linearised& l, Eigen::Index dense) {
+  const Eigen::Index n = l.rates.rows();
+  if (n <= dense) return Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(l.rates), false).eigenvalues();
+  Eigen::MatrixXd basis(n, dense + 1);
+  Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(dense, dense);
+  std::mt19937_64 random(1);
+  basis.col(0) =
+      Vector::NullaryExpr(n, [&](Eigen::Index) { return std::uniform_real_distribution(-1.0, 1.0)(random); });
+  basis.col(0).normalize();
+  for (Eigen::Index k = 0; k < dense; ++k) {
+    Vector next = l.rates * basis.col(k);
+    for (int twice = 0; twice < 2; ++twice) {  // orthogonal to round-off
+      const Vector part = basis.leftCols(k + 1).transpose() * next;
+      reduced.col(k).head(k + 1) += part;
+      next -= basis.leftCols(k + 1) * part;
+    }
+    const double size = next.norm();
+    if (k + 1 < dense) reduced(k + 1, k) = size;
+    if (size == 0) return Eigen::EigenSolver<Eigen::MatrixXd>(reduced.topLeftCorner(k + 1, k + 1), false).eigenvalues();
+    basis.col(k + 1) = next / size;
+  }
+  return Eigen::EigenSolver<Eigen::MatrixXd>(reduced, false).eigenvalues();
+}
+
+ComplexVector eigenvector(const Linearised& l, std::complex<double> value) {
+  using Sparse = Eigen::SparseMatrix<std::complex<double>>;
+  const Eigen::Index n = l.rates.rows();
+  Sparse shifted = l.rates.cast<std::complex<double>>();
+  Sparse identity(n, n);
+  identity.setIdentity();
+  shifted -= (value * (1 + 1e-6)) * identity;  // beside the eigenvalue, where the matrix is not quite singular
+  Eigen::SparseLU<Sparse> solver(shifted);
+  ComplexVector v = ComplexVector::Ones(n);
+  for (int k = 0; k < 4; ++k) v = solver.solve(v).normalized();
+  return v;
+}
+
+namespace {
+
+// Velocities and spins of a motion, by body; fixed nodes, walls and plates do not move.
+class Motion {
+ public:
+  Motion(const System& system, const ComplexVector& v) : system_(system), v_(v) {}
+
+  std::array<std::complex<double>, 2> body(int i) const {
+    if (i < 0) return {0, 0};
+    return {v_[system_.vx_of(i)], v_[system_.vy_of(i)]};
+  }
+  std::array<std::complex<double>, 2> node(int n) const { return body(system_.parts().node.body[n]); }
+  std::complex<double> spin(int disc) const { return system_.has_friction() ? v_[system_.spin_of(disc)] : 0; }
+
+ private:
+  const System& system_;
+  const ComplexVector& v_;
+};
+
+struct Powers {
+  double normal = 0, shear = 0, rolling = 0;
+  double sum() const { return normal + shear + rolling; }
+  std::string how() const {
+    return normal >= std::max(shear, rolling) ? "normal" : shear >= rolling ? "shear" : "rolling";
+  }
+};
+
+Powers powers_of(const System& system, const TouchBlock& c, int k, const Motion& motion, double rate) {
+  const Parts& parts = system.parts();
+  auto v = of_disc(c.kind) ? motion.body(c.a[k]) : motion.node(c.a[k]);
+  std::complex<double> spin_a = of_disc(c.kind) ? motion.spin(c.a[k]) : 0;
+  std::complex<double> spin_b = 0;
+  if (c.kind == disc_disc) {
+    const auto other = motion.body(c.b[k]);
+    for (int i = 0; i < 2; ++i) v[i] -= other[i];
+    spin_b = motion.spin(c.b[k]);
+  } else if (c.kind == disc_lattice) {
+    const auto i = motion.node(parts.border.a[c.segment[k]]);
+    const auto j = motion.node(parts.border.b[c.segment[k]]);
+    for (int x = 0; x < 2; ++x) v[x] -= (1 - c.share[k]) * i[x] + c.share[k] * j[x];
+  }
+  const double approach = std::norm(v[0] * c.nx[k] + v[1] * c.ny[k]);
+  const double slip = std::norm(v[1] * c.nx[k] - v[0] * c.ny[k] + spin_a * c.arm_a[k] + spin_b * c.arm_b[k]);
+  const ContactLaw& law = parts.law[c.law[k]];
+  const double viscosity = law.viscosity * std::sqrt(c.stiffness[k] * c.reduced_mass[k]);
+  const double held = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
+  Powers p;
+  if (c.normal[k] > 0 || c.overlap[k] > 0) p.normal = (viscosity + c.stiffness[k] / rate) * approach;
+  if (law.friction > 0 && held == c.tangential[k])
+    p.shear = (c.shear_viscosity[k] + c.shear_stiffness[k] / rate) * slip;
+  p.rolling = law.rolling * c.reduced_radius[k] * std::max(c.normal[k], 0.0) / system.rolling_smoothing() *
+              std::norm(spin_a - spin_b);
+  return p;
+}
+
+}  // namespace
+
+Driver driver_of(const System& system, double t, const State& y, const Linearised& l, const ComplexVector& motion,
+                 std::complex<double> value) {
+  const Parts& parts = system.parts();
+  const double rate = std::abs(value);
+  ComplexVector in_state = ComplexVector::Zero(static_cast<Eigen::Index>(y.size()));
+  for (std::size_t k = 0; k < l.acting.size(); ++k) in_state[l.acting[k]] = motion[static_cast<Eigen::Index>(k)];
+  const Motion moves(system, in_state);
+  Driver driver;
+  double most = 0;
+  double all = 0;
+  const auto take = [&](double power, const std::string& how, const auto& name) {
+    all += power;
+    if (power <= most) return;
+    most = power;
+    driver.name = name();
+    driver.how = how;
+  };
+  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+    for (int k = 0; k < c.count; ++k) {
+      const Powers p = powers_of(system, c, k, moves, rate);
+      take(p.sum(), p.how(), [&] { return "contact of " + touch_name(system, c, k); });
+    }
+  });
+  const System::Nodes nodes = system.nodes(y);
+  for (int k = 0; k < parts.link.count(); ++k) {
+    if (system.torn(k)) continue;
+    const int a = parts.link.a[k];
+    const int b = parts.link.b[k];
+    const double rx = nodes.x[a] - nodes.x[b];
+    const double ry = nodes.y[a] - nodes.y[b];
+    const auto va = moves.node(a);
+    const auto vb = moves.node(b);
+    const double stretching = std::norm(((va[0] - vb[0]) * rx + (va[1] - vb[1]) * ry) / std::hypot(rx, ry));
+    take((parts.link.damping[k] + parts.link.stiffness[k] / rate) * stretching, "link",
+         [&] { return parts.link_name(k); });
+  }
+  driver.share = all > 0 ? most / all : 0;
+  return driver;
+}
+
+}  // namespace furrow::studies

@@ -1,0 +1,231 @@
+#include "studies/scene_stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "studies/amplification.h"
+#include "system/observe.h"
+#include "system/prepare.h"
+#include "system/run.h"
+
+namespace furrow::studies {
+namespace {
+
+constexpr double still = 1e-6;   // of the largest eigenvalue: below it, rigid motion
+constexpr double hair = 1e-11;   // m: small against overlaps, large against round-off
+constexpr double swollen = 1e5;  // times the hair: still small against overlaps
+constexpr double fine = 2e-3;    // of a limit found by bisection
+constexpr int frozen_steps = 1000;
+
+// The largest h that is not bad: near the guess, or outwards from it. 0 and infinity if there is none.
+double by_bisection(const std::function<bool(double)>& bad, double guess) {
+  constexpr double nearby = 1.1, stride = 1.5, far = 1e3;
+  double good = guess / nearby;
+  double worse = guess * nearby;
+  while (bad(good)) {
+    worse = good;
+    good /= stride;
+    if (good < guess / far) return 0;
+  }
+  while (worse > guess && !bad(worse)) {  // below the guess it is known to be bad
+    good = worse;
+    worse *= stride;
+    if (worse > guess * far) return infinity;
+  }
+  while (worse - good > fine * worse) {
+    const double middle = 0.5 * (good + worse);
+    (bad(middle) ? worse : good) = middle;
+  }
+  return 0.5 * (good + worse);
+}
+
+// Deviations from a state that does not move: y0 + e, at t0 for ever.
+class Frozen final : public OdeSystem {
+ public:
+  Frozen(const System& system, double t, const State& y) : system_(system), t_(t), y_(y), moved_(y), still_(y.size()) {
+    system.rhs(t, y, still_);
+  }
+  std::size_t size() const override { return y_.size(); }
+  std::size_t positions() const override { return system_.positions(); }
+  std::size_t controlled() const override { return system_.controlled(); }
+  void rhs(double /*t*/, const State& e, State& dedt) const override {
+    for (std::size_t i = 0; i < e.size(); ++i) moved_[i] = y_[i] + e[i];
+    system_.rhs(t_, moved_, dedt);
+    for (std::size_t i = 0; i < e.size(); ++i) dedt[i] -= still_[i];
+  }
+
+ private:
+  const System& system_;
+  double t_;
+  const State& y_;
+  mutable State moved_;
+  State still_;
+};
+
+// Displacements, and velocities as the displacements of one time scale of the fastest motion.
+double size_of(const Standing& s, const State& e) {
+  const double rate = std::abs(s.fastest);
+  const auto n = static_cast<std::size_t>(s.linearised.positions);
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += e[i] * e[i] + e[n + i] * e[n + i] / (rate * rate);
+  return std::sqrt(sum);
+}
+
+// Displacements and spins alone: a velocity would carry slow modes far before they turn, which looks like growth.
+State random_hair(const Standing& s) {
+  State e(s.y.size(), 0.0);
+  std::mt19937_64 random(2);
+  for (const int place : s.linearised.acting) e[place] = hair * std::uniform_real_distribution(-1.0, 1.0)(random);
+  const auto n = static_cast<std::ptrdiff_t>(s.linearised.positions);
+  std::fill(e.begin() + n, e.begin() + 2 * n, 0.0);
+  return e;
+}
+
+bool frozen_grows(const Standing& s, const std::string& name, double h) {
+  const Frozen frozen(s.system, s.t, s.y);
+  const auto method = make_method(name);
+  State e = random_hair(s);
+  const double start = size_of(s, e);
+  double early = 0;
+  double late = 0;
+  try {
+    for (int n = 0; n < frozen_steps; ++n) {
+      method->step(frozen, 0, e, h);
+      const double size = size_of(s, e);
+      if (!(size < swollen * start)) return true;
+      if (n > frozen_steps / 2) {
+        late = std::max(late, size);
+      } else if (n > frozen_steps / 4) {
+        early = std::max(early, size);
+      }
+    }
+  } catch (const Divergence&) {
+    return true;
+  }
+  return late > early * std::exp(1e-3 * frozen_steps / 2);
+}
+
+std::function<Matrix(const Matrix&)> times(const Linearised& l, double h) {
+  return [&l, h](const Matrix& v) -> Matrix {
+    Matrix product(v.rows(), v.cols());
+    product.real() = h * (l.rates * v.real());
+    product.imag() = h * (l.rates * v.imag());
+    return product;
+  };
+}
+
+// Growth of the method's linear form on the whole Jacobian, by iteration.
+bool linear_form_grows(const Standing& s, const Scheme& scheme, double h) {
+  const Eigen::Index n = s.linearised.rates.rows();
+  const LinearSystem system{times(s.linearised, h), n, s.linearised.positions};
+  const State e = random_hair(s);
+  Matrix start(n, 1);
+  for (Eigen::Index k = 0; k < n; ++k) start(k, 0) = e[s.linearised.acting[k]];
+  std::vector<Matrix> memory(static_cast<std::size_t>(scheme.blocks), Matrix::Zero(n, 1));
+  memory[0] = start;
+  double early = 0;
+  double late = 0;
+  for (int step = 0; step < frozen_steps; ++step) {
+    scheme.step(system, memory);
+    const double size = memory[0].topRows(2 * s.linearised.positions).norm();
+    if (!(size < 1e10 * start.norm())) return true;
+    if (step > frozen_steps / 2) {
+      late = std::max(late, size);
+    } else if (step > frozen_steps / 4) {
+      early = std::max(early, size);
+    }
+  }
+  return late > early * std::exp(1e-3 * frozen_steps / 2);
+}
+
+// s, the least of r(arg lambda)/|lambda|; which eigenvalue. The rim is tabulated to sort the eigenvalues, then computed
+// at those that come first.
+std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd& values, const Scheme& scheme) {
+  constexpr int directions = 90;
+  std::vector<double> rim(directions + 1);
+  for (int k = 0; k <= directions; ++k) {
+    const double angle = std::numbers::pi * (0.5 + 0.5 * k / directions);
+    rim[k] = largest_stable_radius(scheme, std::polar(1.0, angle), 1e3);
+  }
+  const double largest = values.cwiseAbs().maxCoeff();
+  std::vector<std::pair<double, std::complex<double>>> limits;
+  for (const std::complex<double>& value : values) {
+    if (std::abs(value) <= still * largest || value.real() > 0) continue;
+    const double place = (std::arg(std::complex(value.real(), std::fabs(value.imag()))) / std::numbers::pi - 0.5) * 2;
+    const int k = std::clamp(static_cast<int>(std::lround(place * directions)), 0, directions);
+    limits.push_back({rim[k] / std::abs(value), value});
+  }
+  const auto sooner = [](const auto& a, const auto& b) { return a.first < b.first; };
+  const std::size_t first = std::min<std::size_t>(limits.size(), 12);
+  std::partial_sort(limits.begin(), limits.begin() + static_cast<std::ptrdiff_t>(first), limits.end(), sooner);
+  limits.resize(first);
+  if (limits.empty()) return {infinity, 0};
+  for (auto& [limit, value] : limits) limit = largest_stable_radius(scheme, value, 1e3) / std::abs(value);
+  return *std::min_element(limits.begin(), limits.end(), sooner);
+}
+
+}  // namespace
+
+Standing standing(System system, double t, State y, Eigen::Index dense) {
+  Standing s{std::move(system), t, std::move(y)};
+  s.linearised = linearise(s.system, t, s.y);
+  s.values = spectrum(s.linearised, dense);
+  s.fastest = limit_by_spectrum(s.values, *scheme_of("pece")).second;
+  if (s.fastest == 0.0) return s;
+  s.driver = driver_of(s.system, t, s.y, s.linearised, eigenvector(s.linearised, s.fastest), s.fastest);
+  return s;
+}
+
+Standing standing_at(Scene scene, double t, const std::function<bool(double, double)>& progress) {
+  scene.output.energy = true;
+  Prepared p = prepare(scene, [&](double done, double) { return !progress || progress(done, scene.settle->limit); });
+  if (t > 0) {
+    const RunPlan plan{.start = 0, .end = t, .step = scene.time.step, .stop = {}};
+    const auto method = make_method(scene.time.method, {scene.time.relative_tolerance, scene.time.absolute_tolerance});
+    const RunEnd end = run(p.system, *method, p.y, plan,
+                           [&](double now, const State&, const JumpReport&) { return !progress || progress(now, t); });
+    if (end.ending == Ending::stopped) throw Interrupted("interrupted");
+    if (end.ending == Ending::diverged) throw Divergence(end.reason);
+  }
+  return standing(std::move(p.system), t, std::move(p.y));
+}
+
+double predicted_step(const Standing& s, const std::string& method) {
+  const Scheme* scheme = scheme_of(method);
+  if (!scheme) return NAN;
+  if (s.fastest == 0.0) return infinity;
+  if (scheme->by_eigenvalue) return limit_by_spectrum(s.values, *scheme).first;
+  return by_bisection([&](double h) { return linear_form_grows(s, *scheme, h); }, 1 / std::abs(s.fastest));
+}
+
+double measured_step(const Standing& s, const std::string& method, double guess) {
+  return by_bisection([&](double h) { return frozen_grows(s, method, h); }, guess);
+}
+
+Books run_on(const Standing& s, const std::string& method, double h, int steps) {
+  System system = s.system;
+  State y = s.y;
+  const Energies start = observe(system, s.t, y).energy;
+  const RunPlan plan{.start = s.t, .end = s.t + (steps + 0.5) * h, .step = h, .stop = {}};
+  int n = 0;
+  const RunEnd end =
+      run(system, *make_method(method), y, plan, [&](double, const State&, const JumpReport&) { return ++n <= steps; });
+  const Energies now = observe(system, end.time, y).energy;
+  return {end.reason, now.residual(start),
+          std::fabs(now.plate_work - start.plate_work) + std::fabs(now.lost() - start.lost())};
+}
+
+bool has_stable_step(const Standing& s, const MethodInfo& method) {
+  return !method.controlled && !method.dense_jacobian && scheme_of(method.name) && refusal(method, s.system).empty();
+}
+
+StableStep stable_step(const Standing& s, const std::string& method) {
+  if (s.fastest == 0.0) return {method, infinity, infinity};
+  const double predicted = predicted_step(s, method);
+  const double guess = std::isfinite(predicted) && predicted > 0 ? predicted : 1 / std::abs(s.fastest);
+  return {method, predicted, measured_step(s, method, guess)};
+}
+
+}  // namespace furrow::studies

@@ -1,0 +1,66 @@
+// How long a step a scene allows where it stands: predicted from its spectrum and each method's amplification factor,
+// and found on the scene itself.
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "methods/method.h"
+#include "studies/linearise.h"
+
+namespace furrow::studies {
+
+// A scene at one moment, and its linearisation.
+struct Standing {
+  System system;
+  double t = 0;  // s
+  State y;
+  Linearised linearised{};
+  Eigen::VectorXcd values{};       // 1/s, see spectrum()
+  std::complex<double> fastest{};  // the eigenvalue that limits the paper's method
+  Driver driver{};                 // of its motion
+};
+
+// `dense`: see spectrum().
+Standing standing(System system, double t, State y, Eigen::Index dense = 300);
+
+// The scene prepared and, if t > 0, run up to t by `method` with `step`. Throws as prepare() and Divergence.
+Standing standing_at(Scene scene, double t, const std::function<bool(double done, double total)>& progress = {});
+
+struct StableStep {
+  std::string method;
+  double predicted = 0;  // s, infinity: any step
+  double measured = 0;   // s, small changes of the scene held still grow above it
+};
+
+// By theory. Methods that act on each eigenvalue alone: the least over the spectrum of the distance from zero to the
+// rim of the stability region. Others: growth of their linear form on the whole Jacobian. Eigenvalues within 1e-6 of
+// zero, of the largest, are those of rigid motion and left out. NaN if the method's theory is not known.
+double predicted_step(const Standing& s, const std::string& method);
+
+// The solver's right-hand side and the method itself, time held still:  e' = f(t0, y0 + e) - f(t0, y0)  from a small
+// random e. The step counts as unstable if e swells a hundred-thousandfold, or is larger in the later half of a
+// thousand steps than before by 1e-3 a step: real motion of the scene does not do that at such steps. No jump takes
+// part.
+double measured_step(const Standing& s, const std::string& method, double guess);
+
+// What becomes of the scene as it runs, with all jumps, for `steps` steps of h from here. Friction and clipping bound
+// what grows: such a run does not diverge but chatters, and the energy that the method makes or loses shows it.
+struct Books {
+  std::string diverged;  // why, or empty
+  double residual = 0;   // J
+  double handled = 0;    // J, work of the plates and losses, without sign
+  double share() const { return handled > 0 ? std::fabs(residual) / handled : 0; }
+};
+Books run_on(const Standing& s, const std::string& method, double h, int steps = 200);
+
+// Whether `method` can carry the scene by fixed steps, and its theory is known.
+bool has_stable_step(const Standing& s, const MethodInfo& method);
+
+// Predicted and measured.
+StableStep stable_step(const Standing& s, const std::string& method);
+
+}  // namespace furrow::studies
