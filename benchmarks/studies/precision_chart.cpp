@@ -45,7 +45,7 @@ int style_of(const std::string& curve) {
 
 // Of the variants that locate tears the chart shows some; all are in the tables and the data.
 std::string curve_of(const Ladder& ladder) {
-  const std::string family = family_of(ladder.method);
+  std::string family = family_of(ladder.method);
   if (family != ladder.method) return family;
   const bool drawn = std::find(located.begin(), located.end(), ladder.name()) != located.end();
   return ladder.locates_tears && !drawn ? "" : ladder.name();

@@ -12,8 +12,8 @@ struct Oscillator {
 };
 
 // s: the step above which the method's solution grows; infinity for a controlled method, which chooses its own, for an
-// implicit one that grows at no step, and for an oscillator that does not move. Within 0.1 %; a growth of less than 1e-5
-// a step is not seen (Adams-Bashforth 2 on an undamped oscillator grows at any step, by (h omega)^4 / 4).
+// implicit one that grows at no step, and for an oscillator that does not move. Within 0.1 %; a growth of less than
+// 1e-5 a step is not seen (Adams-Bashforth 2 on an undamped oscillator grows at any step, by (h omega)^4 / 4).
 double largest_stable_step(const std::string& method, const Oscillator& oscillator);
 
 }  // namespace furrow
