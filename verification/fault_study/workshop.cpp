@@ -85,8 +85,7 @@ Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs,
   const fs::path log = home_ / "configure.log";
   if (!succeeds("cmake -S " + quoted(places.tree / "verification/fault_study") + " -B " + quoted(home_ / "build") +
                     " -G Ninja -DCMAKE_BUILD_TYPE=Release -DTREE=" + quoted(home_ / "tree") +
-                    " -DSOURCE_DIR=" + quoted(places.tree) + " -DPAGES=" + quoted(places.objects()) +
-                    " -DLIBRARY=" + quoted(places.sound_build / "libfurrow.a") +
+                    " -DSOURCE_DIR=" + quoted(places.tree) + " -DBUILD=" + quoted(places.sound_build) +
                     (cached ? " -DCMAKE_CXX_COMPILER_LAUNCHER=ccache" : ""),
                 log)) {
     configure_trouble_ = "the copy cannot be configured, see " + log.string();
