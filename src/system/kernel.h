@@ -14,8 +14,8 @@ struct alignas(32) DiscLoad {
 
 // When a candidate should take a slot for a tangential spring or give it back.
 struct Nearness {
-  double margin;      // m
-  std::uint32_t now;  // number of this jump
+  double margin = 0;      // m
+  std::uint32_t now = 0;  // number of this jump; the first is 1, so that 0 is no jump
 };
 
 struct ContactModel {
