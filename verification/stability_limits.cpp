@@ -10,8 +10,10 @@
 
 #include "methods/method.h"
 #include "output/run_files.h"
+#include "scene/wording.h"
 #include "studies/amplification.h"
 #include "studies/atlas.h"
+#include "studies/blow_up.h"
 #include "studies/cases.h"
 #include "studies/scene_stability.h"
 #include "verification/check.h"
@@ -80,20 +82,12 @@ TEST(StabilityLimits, PaperMethodOnADampedSpring) {
 // Not only where each method is well known: both kinds of force, all damping ratios, every method with a theory.
 TEST(StabilityLimits, SolverBlowsUpWhereTheAmplificationFactorSays) {
   requirement("stability.limits");
-  const Tolerance seen = relative(0.004, "bisection to 1e-3, and the growth of 1e-5 a step that is seen");
-  const Tolerance late = relative(
-      0.03,
-      "a parasitic root of many-step methods starts from round-off beside a motion that decays: in the thousands of "
-      "steps of the search it shows only once it grows by some 1e-3 a step");
+  const Tolerance seen = relative(0.01, "bisection to 1e-3, growth of 1 % told in a thousand steps");
   for (const AtlasEntry& entry : make_atlas({}, {0, 0.01, 0.1, 0.5, 1, 5})) {
     for (const AtlasLimit& l : entry.limits) {
       const std::string at = entry.methods.front() + ", damping ratio " + std::to_string(l.zeta);
-      const std::string& name = entry.methods.front();
-      if (name == "odeint_ab4" || name == "odeint_ab5")
-        continue;  // up to 8 % late: see `late`; their theory stands above
-      const Tolerance& tolerance = name.starts_with("odeint") ? late : seen;
-      expect(at + ": omega h of a node on a link", l.spring, l.theory, tolerance);
-      expect(at + ": omega h of a disc on a wall", l.contact, l.theory, tolerance);
+      expect(at + ": omega h of a node on a link", l.spring, l.theory, seen);
+      expect(at + ": omega h of a disc on a wall", l.contact, l.theory, seen);
     }
   }
 }
@@ -111,10 +105,10 @@ TEST(StabilityLimits, ScenesBreakWhereTheirSpectrumSays) {
   requirement("stability.scenes");
   for (const auto& [file, t] : {std::pair("single_spring", 0.0), {"cantilever", 0.0}, {"scenario_1", 0.03}}) {
     const Standing s = standing_at(scene_file(file), t);
-    for (const char* method : {"pece", "pec", "pecece", "symplectic_euler", "verlet", "rk4"}) {
+    for (const char* method : {"pece", "pec", "pecece", "ab2", "symplectic_euler", "verlet", "rk4"}) {
       const StableStep step = stable_step(s, method);
       expect(std::string(file) + ", " + method + ": largest stable step [s]", step.measured, step.predicted,
-             relative(0.02, "a growth of less than 1e-3 a step is not seen; bisection to 2e-3"));
+             relative(0.01, "bisection to 2e-3; friction and clipping shift what has grown ten-thousandfold"));
     }
   }
 }
@@ -130,31 +124,55 @@ TEST(StabilityLimits, SpringSceneHasTheEigenvaluesOfItsSpring) {
          std::sqrt(omega * omega - rate * rate / 4), differences);
 }
 
+struct Sides {
+  std::string scene;
+  double at, end;  // s: the limit is that of this moment; the run ends then
+  double above;    // of the limit, where it must fail
+  std::string culprit, why;
+};
+const char* const soon =
+    "what grows throws bodies out, or shows a hundred times the energy that the run was ever given";
+const char* const bounded =
+    "clipping and friction bound what grows: the scene chatters, as the paper's own second scene does, and fails where "
+    "a node passes through the plate in a step, or the bed no longer comes to rest";
+const Sides sides[] = {
+    {"single_spring", 0, 100, 1.03, "link from node", soon},
+    {"cantilever", 0, 1, 1.03, "link from node", soon},
+    {"resting disc", 0, 20, 1.1, "contact of disc 0 and wall 0",
+     "a contact that opens is softer: a little above the limit the disc hops on and on in one orbit"},
+    {"scenario_1", 0.03, 1.2, 4.5, "contact of node", bounded},
+    {"scenario_2", 0, 0.05, 4, "disc ", bounded},
+    {"scenario_3", 0, 0.05, 4, "disc ", bounded},
+};
+
 TEST(StabilityLimits, RunsHoldBelowTheLimitAndAreCaughtAboveIt) {
   requirement("stability.caught");
-  for (const std::string file : {"single_spring"}) {
-    Scene scene = scene_file(file);
-    scene.time.end = 100;  // s: hundreds of steps
+  const std::filesystem::path out = std::filesystem::temp_directory_path() / "furrow_stability_sides";
+  for (const Sides& side : sides) {
+    Scene scene = side.scene == "resting disc" ? contact_oscillation(0).scene : scene_file(side.scene);
+    scene.output.energy = true;
     scene.output.frames.clear();
-    const double limit = predicted_step(standing_at(scene, 0), "pece");
-    const std::filesystem::path out = std::filesystem::temp_directory_path() / ("furrow_stability_" + file);
+    const double limit = predicted_step(standing_at(scene, side.at), "pece");
+    scene.time.end = side.end;
     const auto ran = [&](double step) {
       scene.time.step = step;
       scene.output.interval = std::max(scene.output.interval, 10 * step);
-      return run_with_files({.scene_file = file,
+      return run_with_files({.scene_file = side.scene,
                              .scene = scene,
                              .directory = out,
                              .progress = [](const std::string&, double, double) { return true; },
                              .warn = [](const std::string&) {}});
     };
-    expect_true(file + " at 0.98 of the predicted limit finishes", ran(0.98 * limit).ended == "finished",
-                "2 %: the limit is known to half of that");
-    const RunOutcome above = ran(1.03 * limit);
-    expect_true(file + " at 1.03 of the predicted limit diverges", above.ended == "diverged", above.reason);
-    expect_true(file + " names the link that drives it", above.reason.find("link from node") != std::string::npos,
-                above.reason);
-    std::filesystem::remove_all(out);
+    const RunOutcome below = ran(0.98 * limit);
+    expect_true(side.scene + " at 0.98 of the predicted limit finishes", below.ended == "finished",
+                "2 %: the limit is known to half of that " + below.reason);
+    const RunOutcome above = ran(side.above * limit);
+    expect_true(side.scene + " at " + shortest(side.above) + " of the predicted limit diverges",
+                above.ended == "diverged", side.why);
+    expect_true(side.scene + " names what drives it: " + side.culprit,
+                above.reason.find(side.culprit) != std::string::npos, above.reason);
   }
+  std::filesystem::remove_all(out);
 }
 
 }  // namespace

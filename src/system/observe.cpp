@@ -48,6 +48,11 @@ double Energies::residual(const Energies& start) const {
          (stiffening - start.stiffening);
 }
 
+double Energies::supplied(const Energies& start) const {
+  return start.live() + std::fabs(plate_work) + std::fabs(stiffening) + std::max(0.0, start.gravity - gravity) +
+         std::max(0.0, start.load - load);
+}
+
 Observation observe(const System& system, double t, const State& y) {
   Observation seen;
   const Parts& parts = system.parts();

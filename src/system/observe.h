@@ -22,10 +22,13 @@ struct Energies {
   double link_damping = 0, contact_viscous = 0, friction = 0, rolling = 0, tear = 0;
   double plate_work = 0, stiffening = 0;
 
+  double live() const { return kinetic + springs + contact_elastic; }
   double stored() const { return kinetic + gravity + load + springs + contact_elastic; }
   double lost() const { return link_damping + contact_viscous + friction + rolling + tear; }
   // Zero but for the error of the method, if `start` was taken from the same run.
   double residual(const Energies& start) const;
+  // No less than `live` can be: what it was, and what plates, gravity and loads have given since.
+  double supplied(const Energies& start) const;
 };
 
 struct Momentum {

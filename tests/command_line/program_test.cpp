@@ -272,6 +272,11 @@ TEST_F(Program, StabilityPrintsTheStepThatARunSurvives) {
     return furrow("run " + scene("cantilever") + " --dt " + std::to_string(step) + " --out beam");
   };
   EXPECT_EQ(run_at(0.97 * predicted).code, 0);
+  const Result above = run_at(1.03 * predicted);
+  EXPECT_EQ(above.code, 3) << above.err;
+  EXPECT_NE(above.err.find("the method has made the rest"), std::string::npos) << above.err;
+  EXPECT_NE(above.err.find("the stiffest that acts there is the structural link from node"), std::string::npos)
+      << above.err;
 }
 
 TEST_F(Program, ABlownUpRunNamesTheContactThatDrivesIt) {

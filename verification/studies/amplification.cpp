@@ -201,19 +201,25 @@ double amplification(const Scheme& scheme, std::complex<double> z) {
 }
 
 double largest_stable_angle(const Scheme& scheme, double zeta, double most) {
-  const auto grows = [&](double angle) {  // of (x, v/omega)
-    Matrix j(2, 2);
+  const auto grows = [&](double angle) {
+    if (scheme.by_eigenvalue) {  // the same, cheaper: h times the roots of lambda^2 + 2 zeta omega lambda + omega^2
+      const std::complex<double> root = std::sqrt(std::complex<double>(zeta * zeta - 1));
+      const double one = amplification(scheme, angle * (-zeta + root));
+      const double other = zeta > 1 ? amplification(scheme, angle * (-zeta - root)) : one;
+      return std::max(one, other) > 1 + growth_seen;
+    }
+    Matrix j(2, 2);  // of (x, v/omega)
     j << 0, angle, -angle, -2 * zeta * angle;
     return amplification(scheme, {[&j](const Matrix& y) -> Matrix { return j * y; }, 2, 1}) > 1 + growth_seen;
   };
   return first_growth(grows, most);
 }
 
-double largest_stable_radius(const Scheme& scheme, std::complex<double> direction, double most) {
+double largest_stable_radius(const Scheme& scheme, std::complex<double> direction, double growth, double most) {
   const std::complex<double> unit = direction / std::abs(direction);
   const auto grows = [&](double radius) {
     const double exact = std::exp(std::max(0.0, radius * unit.real()));
-    return amplification(scheme, radius * unit) > exact * (1 + growth_seen);
+    return amplification(scheme, radius * unit) > exact * (1 + growth);
   };
   return first_growth(grows, most);
 }

@@ -52,6 +52,7 @@ inline constexpr double growth_seen = 1e-5;
 double largest_stable_angle(const Scheme& scheme, double zeta, double most = 100);
 
 // The same for y' = lambda y: largest h |lambda| along the direction of lambda.
-double largest_stable_radius(const Scheme& scheme, std::complex<double> direction, double most = 100);
+double largest_stable_radius(const Scheme& scheme, std::complex<double> direction, double growth = growth_seen,
+                             double most = 100);
 
 }  // namespace furrow::studies

@@ -5,6 +5,7 @@
 
 #include "methods/method.h"
 #include "studies/amplification.h"
+#include "studies/growth.h"
 #include "system/run.h"
 
 namespace furrow::studies {
@@ -12,38 +13,19 @@ namespace {
 
 constexpr double most = 100;   // of omega h
 constexpr double fine = 1e-3;  // of the limit
-constexpr double push = 1e-9;  // of the scene's length: linear, even if it grows by 1e7
-
-// A thousand steps in the late half, and no less than thirty periods in all.
-int steps_of(double angle) { return 2 * static_cast<int>(std::max(1000.0, 100 / angle)); }
 
 bool grows(const std::string& method, const Oscillation& o, double angle) {
   System system(o.scene);
   State y = system.initial_state();
-  const int steps = steps_of(angle);
+  const int steps = 4 * static_cast<int>(std::max(1000.0, 20 / angle));  // three periods a quarter
   const double step = angle / o.omega;
   const int v = o.axis + 2;  // [x, y, vx, vy]
-  const auto size = [&](const State& s) { return std::max(std::fabs(s[o.axis] - o.rest), std::fabs(s[v]) / o.omega); };
-  const double start = size(y);
-  double early = 0;
-  double late = 0;
-  bool over = false;
-  bool gone = false;
-  int n = 0;
+  Growth growth(steps, growth_seen);
   const RunPlan plan{.start = 0, .end = (steps + 0.5) * step, .step = step, .stop = {}};
   const RunEnd end = run(system, *make_method(method), y, plan, [&](double, const State& now, const JumpReport&) {
-    const double s = size(now);
-    if (++n > steps / 2) {
-      late = std::max(late, s);
-    } else if (n > steps / 4) {
-      early = std::max(early, s);
-    }
-    over = !(s < 1e7 * start);
-    gone = s < 1e-4 * start && n > 100;
-    return !over && !gone && n < steps;
+    return growth.add(std::hypot(now[o.axis] - o.rest, now[v] / o.omega));  // without damping it does not swing
   });
-  if (end.ending == Ending::diverged || over) return true;
-  return !gone && late > early * std::exp(growth_seen * steps / 2);
+  return end.ending == Ending::diverged || growth.seen();
 }
 
 Scene empty_scene() {
@@ -68,6 +50,7 @@ Oscillation spring_oscillation(double zeta) {
   spring.material = "any";
   spring.fixed_columns = {0};
   spring.structural = {.stiffness = 1, .damping = 2 * zeta};
+  constexpr double push = 1e-6;  // m, m/s: large against round-off; the spring is linear at any length
   spring.node.push_back({.row = 0, .column = 1, .displacement = {push, 0}, .velocity = {push, 0}});
   o.scene.lattice.push_back(spring);
   return o;
@@ -85,7 +68,7 @@ Oscillation contact_oscillation(double zeta) {
   const double overlap = std::pow(0.75 * mass * o.scene.model.gravity / (modulus * std::sqrt(radius)), 2.0 / 3.0);
   o.omega = std::sqrt(2 * modulus * std::sqrt(radius * overlap) / mass);
   o.rest = radius - overlap;
-  const double away = 0.01 * push * radius;
+  const double away = 1e-6 * overlap;  // linear, even if it grows a thousandfold
   o.scene.disc.push_back(
       {.position = {0, o.rest + away}, .radius = radius, .velocity = {0, o.omega * away}, .material = "soft"});
   o.scene.wall.push_back({.name = "floor", .material = "rigid"});

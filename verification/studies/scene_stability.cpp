@@ -6,6 +6,7 @@
 #include <random>
 
 #include "studies/amplification.h"
+#include "studies/growth.h"
 #include "system/observe.h"
 #include "system/prepare.h"
 #include "system/run.h"
@@ -13,11 +14,10 @@
 namespace furrow::studies {
 namespace {
 
-constexpr double still = 1e-6;   // of the largest eigenvalue: below it, rigid motion
-constexpr double hair = 1e-11;   // m: small against overlaps, large against round-off
-constexpr double swollen = 1e5;  // times the hair: still small against overlaps
-constexpr double fine = 2e-3;    // of a limit found by bisection
-constexpr int frozen_steps = 1000;
+constexpr double still = 1e-6;  // of the largest eigenvalue: below it, rigid motion
+constexpr double hair = 1e-11;  // m: small against overlaps, large against round-off
+constexpr double fine = 2e-3;   // of a limit found by bisection
+constexpr int frozen_steps = 2000;
 
 // The largest h that is not bad: near the guess, or outwards from it. 0 and infinity if there is none.
 double by_bisection(const std::function<bool(double)>& bad, double guess) {
@@ -83,28 +83,24 @@ State random_hair(const Standing& s) {
   return e;
 }
 
+// Of the change in a step, not of the deviation itself: in that, slow motions of the scene hide what grows.
 bool frozen_grows(const Standing& s, const std::string& name, double h) {
   const Frozen frozen(s.system, s.t, s.y);
   const auto method = make_method(name);
   State e = random_hair(s);
-  const double start = size_of(s, e);
-  double early = 0;
-  double late = 0;
+  State change = e;
+  Growth growth(frozen_steps, growth_in_scenes);
   try {
     for (int n = 0; n < frozen_steps; ++n) {
+      change = e;
       method->step(frozen, 0, e, h);
-      const double size = size_of(s, e);
-      if (!(size < swollen * start)) return true;
-      if (n > frozen_steps / 2) {
-        late = std::max(late, size);
-      } else if (n > frozen_steps / 4) {
-        early = std::max(early, size);
-      }
+      for (std::size_t i = 0; i < e.size(); ++i) change[i] = e[i] - change[i];
+      if (!growth.add(size_of(s, change))) break;
     }
   } catch (const Divergence&) {
     return true;
   }
-  return late > early * std::exp(1e-3 * frozen_steps / 2);
+  return growth.seen();
 }
 
 std::function<Matrix(const Matrix&)> times(const Linearised& l, double h) {
@@ -125,19 +121,13 @@ bool linear_form_grows(const Standing& s, const Scheme& scheme, double h) {
   for (Eigen::Index k = 0; k < n; ++k) start(k, 0) = e[s.linearised.acting[k]];
   std::vector<Matrix> memory(static_cast<std::size_t>(scheme.blocks), Matrix::Zero(n, 1));
   memory[0] = start;
-  double early = 0;
-  double late = 0;
+  Growth growth(frozen_steps, growth_in_scenes);
   for (int step = 0; step < frozen_steps; ++step) {
+    const Matrix before = memory[0].topRows(2 * s.linearised.positions);
     scheme.step(system, memory);
-    const double size = memory[0].topRows(2 * s.linearised.positions).norm();
-    if (!(size < 1e10 * start.norm())) return true;
-    if (step > frozen_steps / 2) {
-      late = std::max(late, size);
-    } else if (step > frozen_steps / 4) {
-      early = std::max(early, size);
-    }
+    if (!growth.add((memory[0].topRows(2 * s.linearised.positions) - before).norm())) break;
   }
-  return late > early * std::exp(1e-3 * frozen_steps / 2);
+  return growth.seen();
 }
 
 // s, the least of r(arg lambda)/|lambda|; which eigenvalue. The rim is tabulated to sort the eigenvalues, then computed
@@ -147,7 +137,7 @@ std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd
   std::vector<double> rim(directions + 1);
   for (int k = 0; k <= directions; ++k) {
     const double angle = std::numbers::pi * (0.5 + 0.5 * k / directions);
-    rim[k] = largest_stable_radius(scheme, std::polar(1.0, angle), 1e3);
+    rim[k] = largest_stable_radius(scheme, std::polar(1.0, angle), growth_in_scenes, 1e3);
   }
   const double largest = values.cwiseAbs().maxCoeff();
   std::vector<std::pair<double, std::complex<double>>> limits;
@@ -155,14 +145,15 @@ std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd
     if (std::abs(value) <= still * largest || value.real() > 0) continue;
     const double place = (std::arg(std::complex(value.real(), std::fabs(value.imag()))) / std::numbers::pi - 0.5) * 2;
     const int k = std::clamp(static_cast<int>(std::lround(place * directions)), 0, directions);
-    limits.push_back({rim[k] / std::abs(value), value});
+    limits.emplace_back(rim[k] / std::abs(value), value);
   }
   const auto sooner = [](const auto& a, const auto& b) { return a.first < b.first; };
   const std::size_t first = std::min<std::size_t>(limits.size(), 12);
   std::partial_sort(limits.begin(), limits.begin() + static_cast<std::ptrdiff_t>(first), limits.end(), sooner);
   limits.resize(first);
   if (limits.empty()) return {infinity, 0};
-  for (auto& [limit, value] : limits) limit = largest_stable_radius(scheme, value, 1e3) / std::abs(value);
+  for (auto& [limit, value] : limits)
+    limit = largest_stable_radius(scheme, value, growth_in_scenes, 1e3) / std::abs(value);
   return *std::min_element(limits.begin(), limits.end(), sooner);
 }
 

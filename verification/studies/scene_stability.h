@@ -30,6 +30,9 @@ Standing standing(System system, double t, State y, Eigen::Index dense = 300);
 // The scene prepared and, if t > 0, run up to t by `method` with `step`. Throws as prepare() and Divergence.
 Standing standing_at(Scene scene, double t, const std::function<bool(double done, double total)>& progress = {});
 
+// A step counts as unstable where something gains more than this a step, beyond what it does by itself.
+inline constexpr double growth_in_scenes = 1e-3;
+
 struct StableStep {
   std::string method;
   double predicted = 0;  // s, infinity: any step
@@ -42,9 +45,8 @@ struct StableStep {
 double predicted_step(const Standing& s, const std::string& method);
 
 // The solver's right-hand side and the method itself, time held still:  e' = f(t0, y0 + e) - f(t0, y0)  from a small
-// random e. The step counts as unstable if e swells a hundred-thousandfold, or is larger in the later half of a
-// thousand steps than before by 1e-3 a step: real motion of the scene does not do that at such steps. No jump takes
-// part.
+// random e. The step counts as unstable if the change in a step grows over two thousand steps, see growth.h. No jump
+// takes part.
 double measured_step(const Standing& s, const std::string& method, double guess);
 
 // What becomes of the scene as it runs, with all jumps, for `steps` steps of h from here. Friction and clipping bound

@@ -120,7 +120,7 @@ Figure spectrum_figure(const std::vector<StandingScene>& scenes) {
     int outside = 0;
     for (const std::complex<double>& v : s.values) {
       const std::complex<double> z = s.own_step * v;
-      const bool out = z.real() < 0 && std::abs(z) > largest_stable_radius(scheme, z, 10);
+      const bool out = z.real() < 0 && std::abs(z) > largest_stable_radius(scheme, z, growth_seen, 10);
       outside += out ? 1 : 0;
       values.push_back({rounded(z.real()), rounded(z.imag()), out ? 1 : 0});
       left = std::min(left, 1.05 * z.real());
