@@ -103,7 +103,7 @@ Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, co
   for (const double setting : settings_of(info, method.controlled)) {
     Effort effort{.method = method.name,
                   .step = scene.span.interval,
-                  .locate_tears = variant.locates_tears,
+                  .locate = variant.locates_tears ? Locate::tears : Locate::none,
                   .most_evaluations = most};
     if (method.controlled) {
       effort.tolerance = setting;

@@ -86,7 +86,7 @@ Outcome run_case(const Case& scene, const Effort& effort) {
                      .end = scene.span.end(),
                      .step = effort.step,
                      .stop = [&sampler](double) { return sampler.next(); },
-                     .locate_tears = effort.locate_tears};
+                     .locate = effort.locate};
   const double begun = cpu_seconds();
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& jump) {
     outcome.torn += static_cast<int>(jump.torn.size());
@@ -96,7 +96,7 @@ Outcome run_case(const Case& scene, const Effort& effort) {
   outcome.cpu = cpu_seconds() - begun;
   outcome.reached = end.time;
   outcome.steps = end.steps;
-  outcome.evaluations = method->evaluations() + 2 * end.located;
+  outcome.evaluations = method->evaluations() + end.event_evaluations;
   if (end.ending == Ending::diverged) outcome.failure = end.reason;
   if (end.ending == Ending::stopped)
     outcome.failure = "not at the end after " + std::to_string(effort.most_evaluations) + " evaluations";

@@ -7,9 +7,9 @@ namespace furrow::studies {
 
 struct Effort {
   std::string method;
-  double step = 0;            // s; of a controlled method the largest one
-  double tolerance = 0;       // relative, of a controlled method; the absolute one is this times 0.01 m, m/s, rad/s
-  bool locate_tears = false;  // each costs two evaluations
+  double step = 0;       // s; of a controlled method the largest one
+  double tolerance = 0;  // relative, of a controlled method; the absolute one is this times 0.01 m, m/s, rad/s
+  Locate locate = Locate::none;
   long most_evaluations = 20000000;  // then the run is given up
 };
 

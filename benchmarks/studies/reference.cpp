@@ -42,9 +42,9 @@ double apart(const State& a, const State& b, int numbers) {
 }  // namespace
 
 Json reference_runs(const CaseInfo& info, const Case& scene) {
-  const Outcome fine = complete_run(scene, {.method = "rk4", .step = info.reference_step, .locate_tears = true});
+  const Outcome fine = complete_run(scene, {.method = "rk4", .step = info.reference_step, .locate = Locate::tears});
   const Outcome unlike =
-      complete_run(scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10, .locate_tears = true});
+      complete_run(scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10, .locate = Locate::tears});
   return {{"fine", json_of(fine)}, {"other", info.other}, {"unlike", json_of(unlike)}};
 }
 
@@ -68,7 +68,7 @@ Json predictability(const CaseInfo& info, const Case& scene) {
     for (int k = 0; k < 2; ++k) {
       const RunEnd end =
           run(system[k], *method[k], y[k],
-              {.start = t, .end = t + scene.span.interval, .step = short_step, .stop = {}, .locate_tears = true},
+              {.start = t, .end = t + scene.span.interval, .step = short_step, .stop = {}, .locate = Locate::tears},
               [](double, const State&, const JumpReport&) { return true; });
       if (end.ending != Ending::finished) throw Divergence(end.reason);
     }

@@ -252,8 +252,7 @@ RunOutcome run_with_files(const RunRequest& request) {
                      .end = time.end,
                      .step = method->info().controlled ? time.max_step : time.step,
                      .stop = [&](double t) { return series.next_stop(t); },
-                     .events = time.events,
-                     .locate_tears = time.locate_tears};
+                     .locate = time.locate};
   long steps = 0;
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
     series.see(system, t, now, report);
@@ -262,8 +261,8 @@ RunOutcome run_with_files(const RunRequest& request) {
   series.close(end.ending != Ending::stopped);
   write_state(request.directory, system, end.time, y);
   json["steps"] = end.steps;
-  json["rhs_evaluations"] = method->evaluations() + 2 * end.located + end.event_evaluations;
-  if (time.events) json["events"] = end.events;
+  json["rhs_evaluations"] = method->evaluations() + end.event_evaluations;
+  if (time.locate != Locate::none) json["events"] = end.events;
   json["rejected"] = method->rejections();
   json["cpu_seconds"] = cpu_seconds() - cpu;
   json["wall_seconds"] = wall_seconds() - wall;

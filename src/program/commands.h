@@ -16,8 +16,8 @@ struct RunOptions {
   std::optional<std::string> method;
   std::optional<double> step;   // s
   std::optional<double> until;  // s
-  bool events = false;          // as time.events
-  std::string directory;        // empty: runs/<name of the scene>
+  std::optional<Locate> locate;
+  std::string directory;  // empty: runs/<name of the scene>
 };
 
 // The scene with the changes from the command line. Throws SceneError for a bad file, std::invalid_argument for a bad

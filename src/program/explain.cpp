@@ -66,6 +66,8 @@ void print_left_out(const Scene& scene, const System& system) {
         line(name, "its %s links never tear (no strength given)", kind);
     }
   }
+  if (parts.link.count() > 0 && scene.time.locate == Locate::none)
+    line("tears within a step", "are seen at its end (time.locate = \"tears\" ends it there)");
   if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <map>
 
 #include "methods/method.h"
 #include "output/build_info.h"
@@ -67,7 +68,9 @@ int parse_and_run(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a scene and write its files; run.json goes to standard output too");
   add_overrides(run);
   run->add_option("--until", options.until, "end of the run, s")->check(CLI::PositiveNumber);
-  run->add_flag("--events", options.events, "step on touches, slips and tears; for scenes with few of them");
+  const std::map<std::string, Locate> words{{"none", Locate::none}, {"tears", Locate::tears}, {"all", Locate::all}};
+  run->add_option("--locate", options.locate, "what steps end at: nothing, tears, or touches and slips too")
+      ->transform(CLI::CheckedTransformer(words));
   run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)");
 
   std::vector<std::string> scenes;

@@ -23,6 +23,9 @@ enum class Lever { overlap, radius };        // arm of the contact force: to the
 enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
 enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
 enum class SearchMode { cells, brute_force };
+// What steps end at: nothing (a tear is learnt of at the end of its step, as in the paper), tears, or touches and slips
+// too, which is for scenes with few of them. See events.h.
+enum class Locate { none, tears, all };
 
 struct Model {
   double gravity = 9.81;  // m/s^2
@@ -40,8 +43,7 @@ struct Timing {
   double relative_tolerance = 1e-6;
   double absolute_tolerance = 1e-9;  // m, m/s, rad/s
   double max_step = 1e-3;            // s, for controlled methods
-  bool events = false;               // step on touches, slips and tears, see events.h; for scenes with few of them
-  bool locate_tears = false;         // end a step where a link tears, or else learn of it at its end, as the paper does
+  Locate locate = Locate::none;
 };
 
 struct Search {

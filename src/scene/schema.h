@@ -37,8 +37,7 @@ void describe(auto& v, Timing& t) {
   v("relative_tolerance", t.relative_tolerance, "-", positive);
   v("absolute_tolerance", t.absolute_tolerance, "m, m/s, rad/s", positive);
   v("max_step", t.max_step, "s", positive);
-  v("events", t.events);
-  v("locate_tears", t.locate_tears);
+  v.choice("locate", t.locate, {{"none", Locate::none}, {"tears", Locate::tears}, {"all", Locate::all}});
 }
 
 void describe(auto& v, Search& s) {

@@ -40,52 +40,94 @@ bool same_pair(const Regime::Pushing& one, const Regime::Pushing& other) {
 double power(double x, int q) { return q == 4 ? x * x * x * x : x * x; }
 double root(double x, int q) { return q == 4 ? std::sqrt(std::sqrt(x)) : std::sqrt(x); }
 
+std::vector<int> overstretched(const System& system, const State& y) {
+  const LinkArrays& link = system.parts().link;
+  std::vector<int> which;
+  if (link.count() == 0) return which;
+  const std::vector<double> force = link_forces(system, y);
+  for (int k = 0; k < link.count(); ++k) {
+    if ((link.in_magnitude[k] != 0 ? std::fabs(force[k]) : force[k]) > link.strength[k]) which.push_back(k);
+  }
+  return which;
+}
+
 }  // namespace
 
-Regime regime(const System& system, double t, const State& y) {
-  Regime r;
-  const Parts& parts = system.parts();
-  system.for_each_touch(t, y, [&](const TouchBlock& c) {
+Regime EventSteps::regime(double t, const State& y) const {
+  Regime r{{}, overstretched(system_, y)};
+  if (what_ != Locate::all) return r;
+  system_.for_each_touch(t, y, [&](const TouchBlock& c) {
     for (int k = 0; k < c.count; ++k) {
-      const ContactLaw& law = parts.law[c.law[k]];
+      const ContactLaw& law = system_.parts().law[c.law[k]];
       if (c.normal[k] > law.floor) r.pushing.push_back({c.kind, c.a[k], c.b[k], phase_of(c, k, law.friction)});
     }
   });
-  if (parts.link.count() == 0) return r;
-  const std::vector<double> force = link_forces(system, y);
-  for (int k = 0; k < parts.link.count(); ++k) {
-    const double pull = parts.link.in_magnitude[k] != 0 ? std::fabs(force[k]) : force[k];
-    if (pull > parts.link.strength[k]) r.overstretched.push_back(k);
-  }
   return r;
 }
 
 double EventSteps::step(double t, State& y, double end, double h, JumpReport& report) {
-  if (!started_) now_ = regime(system_, t, y);
+  if (!started_) now_ = regime(t, y);
   started_ = true;
   ++steps_;
   const bool controlled = method_.info().controlled;
-  for (int found = 0; t < end;) {
+  int found = 0;
+  while (t < end) {
     const State before = y;
     const double target = controlled ? end : next_time(t, end, h);
     const bool whole = !controlled && std::fabs(target - t - h) < 1e-9 * h;  // round-off makes no other step
     const double length = whole ? h : target - t;
     const double taken = method_.step(system_, t, y, length);
     const double reached = taken < length ? t + taken : target;
-    if (regime(system_, reached, y) == now_) {
+    const Regime then = regime(reached, y);
+    if (then == now_) {
       accept(before, reached, y, taken, report);
       t = reached;
       if (controlled) break;
       continue;
     }
-    y = before;
-    method_.restart();
-    t = locate(t, y, reached, report);
+    if (then.pushing == now_.pushing) {
+      const double torn = back_to_tear(t, before, reached, y);
+      accept(before, torn, y, torn - t, report);
+      now_ = regime(torn, y);
+      t = torn;
+    } else {
+      y = before;
+      method_.restart();
+      t = approach(t, y, reached, report);
+    }
     if (++found > most_events_in_a_step || (steps_ > enough_to_judge && events_ > steps_ / 2))
       throw Divergence("events come in nearly every step, " + std::to_string(events_) + " in " +
                        std::to_string(steps_) + " steps: to locate them is for scenes with few; run it without");
   }
+  if (found > 0 && !controlled) method_.restart();  // the rest of a step is too short to look back on
   return t;
+}
+
+// From y, reached by a whole step, to where on the way from `before` the first link is overstretched.
+double EventSteps::back_to_tear(double t, const State& before, double reached, State& y) {
+  const double h = reached - t;
+  const State after = y;
+  rates_.resize(y.size());
+  ahead_.resize(y.size());
+  system_.rhs(t, before, rates_);
+  system_.rhs(reached, after, ahead_);
+  evaluations_ += 2;
+  ++events_;
+  const auto place = [&](double s) {
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const double rise = after[i] - before[i];
+      const double bend = (1 - 2 * s) * rise + h * ((s - 1) * rates_[i] + s * ahead_[i]);
+      y[i] = before[i] + s * rise + s * (s - 1) * bend;
+    }
+  };
+  double whole = 0, torn = 1;  // of the step
+  for (int halvings = 0; halvings < 40; ++halvings) {
+    const double middle = 0.5 * (whole + torn);
+    place(middle);
+    (overstretched(system_, y).empty() ? whole : torn) = middle;
+  }
+  place(torn);
+  return t + torn * h;
 }
 
 // The end of the next step: of the usual one, or shorter behind a touch. A rest of less than half a step is not left.
@@ -114,7 +156,7 @@ void EventSteps::accept(const State& before, double t, State& y, double h, JumpR
 
 // From (t, y) to just behind the event that a trial step met before `bound`. The first two steps stop short of it, so
 // that no stage of a method of some length sees the forces behind the event; the last one, which crosses, is short.
-double EventSteps::locate(double t, State& y, double bound, JumpReport& report) {
+double EventSteps::approach(double t, State& y, double bound, JumpReport& report) {
   const double span = bound - t;
   double short_of = 0.03;  // of the way; the error of the extrapolation goes with the square of the step
   for (int tries = 0; tries < 12; ++tries) {
@@ -126,7 +168,7 @@ double EventSteps::locate(double t, State& y, double bound, JumpReport& report) 
     const double h = std::min(want, left);
     const State before = y;
     const double taken = method_.step(system_, t, y, h);
-    const Regime then = regime(system_, t + taken, y);
+    const Regime then = regime(t + taken, y);
     if (!crossing && then != now_) {  // stop shorter
       y = before;
       method_.restart();
@@ -137,7 +179,7 @@ double EventSteps::locate(double t, State& y, double bound, JumpReport& report) 
     accept(before, t, y, taken, report);
     short_of = 1e-3;
     if (then == now_) continue;
-    const Regime old = std::exchange(now_, regime(system_, t, y));
+    const Regime old = std::exchange(now_, regime(t, y));
     grade_touches(t, y, old);
     method_.restart();
     ++events_;
@@ -159,7 +201,7 @@ double EventSteps::first_change(double t, const State& y, double within) {
     const double s = k == 0 ? high : 0.5 * (low + high);
     for (std::size_t i = 0; i < y.size(); ++i)
       ahead_[i] = y[i] + s * (rates_[i] + (i < n ? 0.5 * s * rates_[n + i] : 0));
-    const bool changed = regime(system_, t + s, ahead_) != now_;
+    const bool changed = regime(t + s, ahead_) != now_;
     if (k == 0 && !changed) return within;
     (changed ? high : low) = s;
   }

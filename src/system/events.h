@@ -1,7 +1,9 @@
-// Steps that end at events: a contact begins or ends, its normal force is or is no longer held at zero, it starts or
-// stops to slide, a link exceeds its strength. Inside a step such an event costs a method its order: at most alpha + 1
-// is left where the force behind it grows like (t - t_event)^alpha. Here it is found and stepped on, and what the
-// method remembers is dropped. Behind a touch, where the force is a fractional power of the time, steps are graded,
+// Steps that end at events: a link exceeds its strength; a contact begins or ends, its normal force is or is no longer
+// held at zero, it starts or stops to slide. Inside a step such an event costs a method its order: at most alpha + 1 is
+// left where the force behind it grows like (t - t_event)^alpha. Here it is stepped on, and what the method remembers
+// is dropped. No force changes at a tear before the jump: it is found on Hermite's cubic through both ends of the step,
+// of order 4, for two evaluations (Hairer, Norsett and Wanner, Solving ODEs I, II.6). The others are approached by
+// shorter and shorter steps. Behind a touch, where the force is a fractional power of the time, steps are graded,
 //
 //   t = t_touch + T s^q,  s uniform,  q = 2 without and 4 with damping:  order min(p, q (alpha + 1))
 //
@@ -35,19 +37,21 @@ struct Regime {
   std::vector<int> overstretched;  // links
   bool operator==(const Regime&) const = default;
 };
-Regime regime(const System& system, double t, const State& y);
 
 class EventSteps {
  public:
   // `check` throws Divergence if the step from one state to another is not sound.
   using Check = std::function<void(const State& before, const State& after, double h)>;
-  EventSteps(System& system, Method& method, Check check)
-      : system_(system), method_(method), check_(std::move(check)) {}
+  EventSteps(System& system, Method& method, Locate what, Check check)
+      : system_(system), method_(method), what_(what), check_(std::move(check)) {}
 
   // Carries y from t to `end`, or, for a controlled method, as far as it dares, applies the jumps on the way and
   // reports them together. `h` is the usual step. Returns the time reached. Throws Divergence, also where events are
   // too many for it to make sense.
   double step(double t, State& y, double end, double h, JumpReport& report);
+
+  // Jumps at the end of a step of h that led from `before` to (t, y), and tells the method.
+  void accept(const State& before, double t, State& y, double h, JumpReport& report);
 
   long events() const { return events_; }
   long evaluations() const { return evaluations_; }  // of f, beside those of the method
@@ -58,13 +62,15 @@ class EventSteps {
     int power;
   };
   double next_time(double t, double end, double h);
-  double locate(double t, State& y, double bound, JumpReport& report);
+  Regime regime(double t, const State& y) const;
+  double back_to_tear(double t, const State& before, double reached, State& y);
+  double approach(double t, State& y, double bound, JumpReport& report);
   double first_change(double t, const State& y, double within);
-  void accept(const State& before, double t, State& y, double h, JumpReport& report);
   void grade_touches(double t, const State& y, const Regime& before);
 
   System& system_;
   Method& method_;
+  Locate what_;
   Check check_;
   bool started_ = false;
   Regime now_;                 // of the accepted state

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "system/events.h"
-#include "system/locate.h"
 #include "system/stiffness.h"
 
 namespace furrow {
@@ -79,10 +78,8 @@ std::string driven_by(const System& system, double t, const State& y, int body, 
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
   if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
   const Watch watch(system);
-  RunEnd end{Ending::finished, {}, plan.start, 0, 0, 0, 0};
+  RunEnd end{Ending::finished, {}, plan.start};
   const bool fixed = !method.info().controlled;
-  long grid = 0;          // fixed steps are counted, not summed: t = start + n h has no drift
-  bool off_grid = false;  // a tear was located between two of them
   const double tiny = 1e-9 * plan.step;
   State before = y;
   int body = -1;
@@ -90,7 +87,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     if (const std::string complaint = watch.complaint(from, to, h, body); !complaint.empty())
       throw Divergence(complaint);
   };
-  EventSteps stepper(system, method, check);
+  EventSteps stepper(system, method, plan.locate, check);
   const auto accept = [&](const JumpReport& report) {
     before = y;
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
@@ -99,34 +96,21 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     JumpReport report = system.jump(plan.start, y);
     accept(report);
     while (end.ending == Ending::finished && end.time < plan.end - tiny) {
-      double next = plan.start + static_cast<double>(grid + 1) * plan.step;
+      // Fixed steps are counted, not summed: t = start + n h has no drift.
+      double next = plan.start + static_cast<double>(end.steps + 1) * plan.step;
       if (!fixed) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
       if (next > plan.end - tiny) next = plan.end;
-      if (plan.events) {
-        report = {};
-        end.time = stepper.step(end.time, y, next, plan.step, report);
-        ++grid;
-        ++end.steps;
-        accept(report);
-        continue;
+      report = {};
+      const double h = fixed && next != plan.end ? plan.step : next - end.time;
+      if (plan.locate != Locate::none) {
+        end.time = stepper.step(end.time, y, next, h, report);
+      } else {
+        const double taken = method.step(system, end.time, y, h);
+        const double reached = taken == h ? next : end.time + taken;
+        stepper.accept(before, reached, y, taken, report);
+        end.time = reached;
       }
-      const bool regular = fixed && !off_grid && next != plan.end;
-      const double taken = method.step(system, end.time, y, regular ? plan.step : next - end.time);
-      check(before, y, taken);
-      const double full = taken == next - end.time || regular ? next : end.time + taken;
-      const double reached = plan.locate_tears ? go_back_to_first_tear(system, end.time, before, full, y) : full;
-      const bool rest_of_step = off_grid;
-      off_grid = fixed && reached != full;
-      if (!off_grid) ++grid;
-      if (reached != full) ++end.located;
-      report = system.jump(reached, y);
-      end.time = reached;
       ++end.steps;
-      if (report.flow_jumped() || rest_of_step) {
-        method.restart();
-      } else if (report.springs_changed) {
-        method.state_changed();
-      }
       accept(report);
     }
   } catch (const Divergence& failure) {

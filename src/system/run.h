@@ -16,9 +16,8 @@ struct RunEnd {
   std::string reason;  // of a divergence: what, where, and what to do
   double time = 0;     // s, of the last good state
   long steps = 0;
-  long events = 0;             // stepped on
+  long events = 0;             // located and stepped on
   long event_evaluations = 0;  // of the right-hand side, for that, beside the method's
-  long located = 0;            // tears; each cost two evaluations beside those of the method
 };
 
 struct RunPlan {
@@ -26,8 +25,7 @@ struct RunPlan {
   double end = 1;                        // s
   double step = 1e-4;                    // s; a fixed method's step, the largest one of a controlled method
   std::function<double(double)> stop{};  // next time after t that a controlled method must hit; none: only the end
-  bool events = false;        // step on touches, slips and tears: see events.h; tears need not be located then
-  bool locate_tears = false;  // end a step where a link tears, or else learn of it at its end
+  Locate locate = Locate::none;
 };
 
 // Called with the start and after each accepted step; false stops the run, a Divergence thrown ends it as such.

@@ -250,6 +250,14 @@ TEST_F(SphereReading, BedThatDoesNotSettleAtThePapersStepFailsAndSaysWhy) {
   EXPECT_EQ(nlohmann::json::parse(r.out)["ended"], "diverged");
 }
 
+TEST_F(Program, LocateIsAKeyAndAnOption) {
+  EXPECT_EQ(furrow("run " + scene("disc_on_wall") + " --locate here --out here").code, 2);
+  const Result r = furrow("run " + scene("disc_on_wall") + " --locate all --out here");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(r.out)["events"], 2);  // it touches and lets go
+  EXPECT_NE(text_of(directory_ / "here" / "scene.toml").find("locate = \"all\""), std::string::npos);
+}
+
 TEST_F(Program, MethodsListsTheCatalogue) {
   const Result r = furrow("methods");
   ASSERT_EQ(r.code, 0);

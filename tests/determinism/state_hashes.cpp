@@ -22,14 +22,24 @@ Scene shortened(Scene scene) {
   return scene;
 }
 
+// A touch, a slip that stops, and a release, all located.
+Scene bouncing(Scene scene) {
+  scene.contact.damping_factor = 0.2;
+  scene.contact.friction = 0.3;
+  scene.disc.front().velocity.x = 0.05;
+  scene.time.method = "pece";
+  scene.time.step = 1e-5;
+  scene.time.locate = furrow::Locate::all;
+  return scene;
+}
+
 std::uint64_t hash_after_run(const Scene& scene) {
   furrow::Prepared prepared = furrow::prepare(scene);
   const auto method =
       furrow::make_method(scene.time.method, {.relative = 1e-2, .absolute = 1e-4, .first_step = scene.time.step});
-  furrow::run(
-      prepared.system, *method, prepared.y,
-      {.start = 0, .end = scene.time.end, .step = scene.time.step, .stop = {}, .locate_tears = scene.time.locate_tears},
-      [](double, const furrow::State&, const furrow::JumpReport&) { return true; });
+  furrow::run(prepared.system, *method, prepared.y,
+              {.start = 0, .end = scene.time.end, .step = scene.time.step, .stop = {}, .locate = scene.time.locate},
+              [](double, const furrow::State&, const furrow::JumpReport&) { return true; });
   return prepared.system.state_hash(prepared.y);
 }
 
@@ -51,11 +61,12 @@ int main(int argc, char** argv) {
     print(name, "pece", scene);
     Scene chosen = scene;  // steps that the method chooses, tears located
     chosen.time.step = 1e-3;
-    chosen.time.locate_tears = true;
+    chosen.time.locate = furrow::Locate::tears;
     for (const char* method : {"pece_adaptive", "rkc"}) {
       chosen.time.method = method;
       print(name, method, chosen);
     }
+    if (std::string(name) == "disc_on_wall") print(name, "located", bouncing(scene));
     if (scene.disc.empty() && scene.packing.empty()) continue;
     scene.time.method = "rk4";
     print(name, "rk4", scene);

@@ -16,7 +16,7 @@ struct Plan {
   double step;   // s; of a controlled method the longest
   int steps;     // that make up the run
   double start;  // s, on the exact solution
-  bool locate_tears = false;
+  Locate locate = Locate::none;
   Tolerances tolerances{};
 };
 
@@ -44,9 +44,9 @@ Ran carry(OdeSystem& system, const std::string& name, const State& start, const 
   Ran ran{start};
   if (auto* scene = dynamic_cast<System*>(&system)) {
     const double end = plan.steps * plan.step;
-    const RunEnd ended = run(*scene, *method, ran.y,
-                             {.start = 0, .end = end, .step = plan.step, .stop = {}, .locate_tears = plan.locate_tears},
-                             [](double, const State&, const JumpReport&) { return true; });
+    const RunEnd ended =
+        run(*scene, *method, ran.y, {.start = 0, .end = end, .step = plan.step, .stop = {}, .locate = plan.locate},
+            [](double, const State&, const JumpReport&) { return true; });
     if (ended.ending != Ending::finished) throw Divergence(ended.reason);
     ran.steps = ended.steps;
   } else {
@@ -81,7 +81,7 @@ Plan jittered(const Problem& problem, double steps, int size, int phase) {
   return {.step = step,
           .steps = static_cast<int>(end / step),
           .start = spread(phase + 16 * size, 0.6180339887498949) * step,
-          .locate_tears = problem.locate_tears};
+          .locate = problem.locate};
 }
 
 // Adds the runs of all phases to one point. `one` makes a run and returns what it reached and should have reached.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "methods/ode.h"
+#include "scene/scene.h"
 
 namespace furrow::studies {
 
@@ -24,7 +25,7 @@ struct Problem {
   // That of the error after which an error-controlled method chooses its steps: it grades them through events that its
   // error estimate sees, not through those that the jump map makes between steps.
   bool controller_sees_it = true;
-  bool locate_tears = false;     // as the scene's key
+  Locate locate = Locate::none;  // as the scene's key
   bool elastic = true;           // no force depends on a velocity
   bool from_rest = false;        // no force when it starts, and none that depends on a velocity
   bool rebounds = false;         // leaves an elastic contact before it ends

@@ -79,7 +79,8 @@ Problem tear(bool located) {
   const long double torn = std::asin(slip) / omega;
   Problem p{"tear", "tear", "the spring's force jumps to zero, seen at the end of a step", 1};
   if (located) p = {"located_tear", "tear, located", "the step ends at the tear, on a cubic through it", 4};
-  p.locate_tears = p.controller_sees_it = p.speed_by_energy = located;
+  p.controller_sees_it = p.speed_by_energy = located;
+  if (located) p.locate = Locate::tears;
   p.unit = static_cast<double>(1 / omega);
   p.duration = 1.5 * p.unit;
   p.length = static_cast<double>(reach);
