@@ -11,6 +11,7 @@
 // Source: Timoshenko 1921; the lattice's constants as in lattice_waves.cpp.
 #include <numbers>
 
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/own_lattice.h"
 #include "verification/running.h"
@@ -21,23 +22,15 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Scene scene_of(const Beam& beam, double damping) {
-  Scene scene;
-  scene.model.gravity = 0;
+  Scene scene = bare_lattice(beam.rows, beam.columns, beam.spacing, beam.mass);
   scene.output.energy = false;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
-  Lattice lattice;
-  lattice.rows = beam.rows;
-  lattice.columns = beam.columns;
-  lattice.spacing = beam.spacing;
-  lattice.node_mass = beam.mass;
-  lattice.material = "any";
+  Lattice& lattice = scene.lattice[0];
   for (int row = 0; row < beam.clamped_rows; ++row) lattice.fixed_rows.push_back(row);
   for (int column = 0; column < beam.clamped_columns; ++column) lattice.fixed_columns.push_back(column);
   lattice.structural = {.stiffness = beam.ks, .damping = beam.ks * damping};
   lattice.shear = {.stiffness = beam.kd, .damping = beam.kd * damping};
   lattice.bending = {.stiffness = beam.kb, .damping = beam.kb * damping};
   lattice.node = {{.row = beam.loaded_row(), .column = beam.loaded_column(), .force = {beam.load_x, beam.load_y}}};
-  scene.lattice.push_back(lattice);
   return scene;
 }
 

@@ -10,6 +10,7 @@
 // Source: Brillouin, Wave Propagation in Periodic Structures, chapters 1 to 3.
 #include <numbers>
 
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
@@ -26,16 +27,8 @@ constexpr int masses = 8;             // free ones
 constexpr double step_in_rad = 0.01;  // omega h
 
 Scene chain_scene(int columns) {
-  Scene scene;
-  scene.model.gravity = 0;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
-  Lattice chain;
-  chain.columns = columns;
-  chain.spacing = spacing;
-  chain.node_mass = mass;
-  chain.material = "any";
-  chain.structural.stiffness = stiffness;
-  scene.lattice.push_back(chain);
+  Scene scene = bare_lattice(1, columns, spacing, mass);
+  scene.lattice[0].structural.stiffness = stiffness;
   return scene;
 }
 

@@ -11,6 +11,7 @@
 #include <Eigen/Dense>
 #include <numbers>
 
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
@@ -30,19 +31,10 @@ constexpr int side = 7;          // nodes
 constexpr int middle = 3;        // its two neighbours on each side are there
 
 System lattice_system(int rows, int columns, double structural, double shear) {
-  Scene scene;
-  scene.model.gravity = 0;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
-  Lattice lattice;
-  lattice.rows = rows;
-  lattice.columns = columns;
-  lattice.spacing = spacing;
-  lattice.node_mass = mass;
-  lattice.material = "any";
-  lattice.structural.stiffness = structural;
-  lattice.shear.stiffness = shear;
-  lattice.bending.stiffness = kb;
-  scene.lattice.push_back(lattice);
+  Scene scene = bare_lattice(rows, columns, spacing, mass);
+  scene.lattice[0].structural.stiffness = structural;
+  scene.lattice[0].shear.stiffness = shear;
+  scene.lattice[0].bending.stiffness = kb;
   return System(scene);
 }
 

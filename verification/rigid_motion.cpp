@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "system/observe.h"
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
@@ -26,20 +27,12 @@ constexpr double damping = 7;       // N s/m
 constexpr double spin = 4;          // rad/s
 
 Scene lattice_scene(int rows, int columns, Damper damper) {
-  Scene scene;
-  scene.model.gravity = 0;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
-  Lattice lattice;
-  lattice.rows = rows;
-  lattice.columns = columns;
-  lattice.spacing = spacing;
-  lattice.node_mass = mass;
-  lattice.material = "any";
+  Scene scene = bare_lattice(rows, columns, spacing, mass);
+  Lattice& lattice = scene.lattice[0];
   lattice.damper = damper;
   lattice.structural = {.stiffness = stiffness, .damping = damping};
   lattice.shear = {.stiffness = 2 * stiffness, .damping = 2 * damping};
   lattice.bending = {.stiffness = 3 * stiffness, .damping = 3 * damping};
-  scene.lattice.push_back(lattice);
   return scene;
 }
 

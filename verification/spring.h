@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
@@ -41,20 +42,11 @@ inline double exact_velocity(double zeta, double t) {
 }
 
 inline Scene spring_scene(double zeta) {
-  Scene scene;
-  scene.title = "a mass on a spring";
-  scene.model.gravity = 0;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
-  Lattice spring;
-  spring.rows = 1;
-  spring.columns = 2;
-  spring.spacing = rest;
-  spring.node_mass = mass;
-  spring.material = "any";
+  Scene scene = bare_lattice(1, 2, rest, mass);
+  Lattice& spring = scene.lattice[0];
   spring.fixed_columns = {0};
   spring.structural = {.stiffness = stiffness, .damping = 2 * zeta * std::sqrt(stiffness * mass)};
   spring.node.push_back({.row = 0, .column = 1, .displacement = {stretch, 0}});
-  scene.lattice.push_back(spring);
   return scene;
 }
 

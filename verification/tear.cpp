@@ -12,6 +12,7 @@
 #include <set>
 
 #include "system/observe.h"
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
@@ -27,18 +28,9 @@ constexpr double omega = 10;                  // rad/s, sqrt(500 / 5)
 constexpr double x_c = strength / stiffness;  // m
 
 Scene lattice_scene(int rows, int columns) {
-  Scene scene;
-  scene.model.gravity = 0;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
+  Scene scene = bare_lattice(rows, columns, spacing, mass);
   scene.material.push_back({.name = "rigid", .rigid = true});
-  Lattice lattice;
-  lattice.rows = rows;
-  lattice.columns = columns;
-  lattice.spacing = spacing;
-  lattice.node_mass = mass;
-  lattice.material = "any";
-  lattice.structural = {.stiffness = stiffness, .strength = strength};
-  scene.lattice.push_back(lattice);
+  scene.lattice[0].structural = {.stiffness = stiffness, .strength = strength};
   return scene;
 }
 

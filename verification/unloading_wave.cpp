@@ -10,6 +10,7 @@
 // Source: Schroedinger 1914 (Ann. Phys. 44, 916); the free end by its mirror image, and J_(n-1) + J_(n+1) = 2n/z J_n.
 #include <numbers>
 
+#include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
@@ -50,16 +51,8 @@ double integrated_response(int j) {
 
 TEST(UnloadingWave, FreeEndUnloadsTheChainAsAWave) {
   requirement("tear.unloading_wave");
-  Scene scene;
-  scene.model.gravity = 0;
-  scene.material.push_back({.name = "any", .young = 2e5, .poisson = 0.3});
-  Lattice chain;
-  chain.columns = columns;
-  chain.spacing = spacing;
-  chain.node_mass = mass;
-  chain.material = "any";
-  chain.structural = {.stiffness = stiffness, .strength = strength};
-  scene.lattice.push_back(chain);
+  Scene scene = bare_lattice(1, columns, spacing, mass);
+  scene.lattice[0].structural = {.stiffness = stiffness, .strength = strength};
   scene.lattice[0].fixed_columns = {0};
   for (int n = 1; n < columns; ++n) {
     const double stretch = tension / stiffness * (n == columns - 1 ? n + 1.5 : n);  // the last link: 2.5 T > S
