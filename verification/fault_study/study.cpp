@@ -155,10 +155,13 @@ class Study {
   ordered_json report() const {
     std::set<std::string> silent;
     for (const Page& page : pages_) silent.insert(page.tests.begin(), page.tests.end());
+    ordered_json tried = ordered_json::array();
     for (const ordered_json& result : results_) {
+      if (result.is_null()) continue;  // the workshop closed before
+      tried.push_back(result);
       for (const auto& test : result.value("failed", ordered_json::array())) silent.erase(test.get<std::string>());
     }
-    return {{"commit", commit_of(places_.tree)}, {"results", results_}, {"noticed_nothing", silent}};
+    return {{"commit", commit_of(places_.tree)}, {"results", tried}, {"noticed_nothing", silent}};
   }
 
  private:
