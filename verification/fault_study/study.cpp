@@ -7,12 +7,10 @@
 //   BUILD      a build of it that holds verification_tests
 //   WORK       directory for the copies, the verdicts and the result, faults.json. Verdicts that WORK holds already are
 //              not tried again, so a study that was stopped goes on, and only what has changed is run
-//   --quick    only the faults marked quick, and no constants
+//   --quick    only the faults marked quick, and no constants, on the pages that these faults name
 //   --rebuild  compile the pages anew for each fault, as those marked `rebuild` are anyway: the slow way to the same
 // Exit codes: 0 every fault was noticed; 1 some were not, or one could not be applied or built; 4 a file cannot be
 // read.
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +21,7 @@
 #include <regex>
 #include <thread>
 
-#include "fault_study/workshop.h"
+#include "fault_study/faults.h"
 
 namespace furrow::verification {
 namespace {
@@ -31,37 +29,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-struct Fault {
-  std::string name, says;
-  Change change;  // of a constant with the word CHANGE in new_text
-  bool constant = false, quick = false, rebuild = false;
-};
-
 struct Options {
   std::vector<fs::path> places;
   std::set<std::string> only;  // names; empty: all
   bool quick = false, rebuild = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
-
-std::vector<Fault> faults_in(const fs::path& file) {
-  const toml::table all = toml::parse_file(file.string());
-  std::vector<Fault> faults;
-  for (const char* kind : {"fault", "constant"}) {
-    const toml::array* list = all[kind].as_array();
-    for (std::size_t k = 0; list != nullptr && k < list->size(); ++k) {
-      const toml::table& entry = *list->get(k)->as_table();
-      const auto text = [&](const char* key) { return entry[key].value_or<std::string>(""); };
-      faults.push_back({text("name"),
-                        text("says"),
-                        {text("file"), text("old"), text("new")},
-                        std::string(kind) == "constant",
-                        entry["quick"].value_or(false),
-                        entry["rebuild"].value_or(false)});
-    }
-  }
-  return faults;
-}
 
 std::string commit_of(const fs::path& tree) {
   std::string commit;
@@ -71,36 +44,47 @@ std::string commit_of(const fs::path& tree) {
   return commit.empty() ? "unknown" : commit;
 }
 
-ordered_json try_fault(Workshop& workshop, const std::vector<Page>& pages, const Fault& fault) {
-  ordered_json result{{"name", fault.name}, {"says", fault.says}, {"file", fault.change.file}, {"kind", "fault"}};
+constexpr const char* turn_names[] = {"always", "methods", "costly"};
+
+ordered_json head_of(const Fault& fault) {
+  return {{"name", fault.name},
+          {"says", fault.says},
+          {"file", fault.change.file},
+          {"kind", fault.constant ? "constant" : "fault"}};
+}
+
+// Runs the pages whose turn is up to `last`, and those after it one turn at a time until some test fails.
+void try_fault(Workshop& workshop, const std::vector<Page>& pages, Turn last, const Change& change,
+               ordered_json& result) {
   std::set<std::string> failed;
-  const std::string trouble = workshop.build(fault.change);
-  if (trouble.empty()) {
-    for (const Page& page : pages) failed.merge(workshop.failing_tests(page));
-  } else {
-    result["trouble"] = trouble;
+  std::set<std::string> left_out;
+  workshop.put(change);
+  for (const Page& page : pages) {
+    if (page.turn > last && !failed.empty()) {
+      left_out.insert(turn_names[page.turn]);
+      continue;
+    }
+    last = std::max(last, page.turn);
+    failed.merge(workshop.failing_tests(page));
   }
   result["failed"] = failed;
-  return result;
+  result["left_out"] = left_out;
 }
 
 // The smallest power of ten that some test notices as a relative change. `pages` is left with the one that noticed last
 // in front: it is the likeliest to notice the next change.
-ordered_json smallest_noticed(Workshop& workshop, std::vector<Page>& pages, const Fault& constant) {
-  ordered_json result{{"name", constant.name}, {"says", constant.says}, {"kind", "constant"}};
+void smallest_noticed(Workshop& workshop, std::vector<Page>& pages, const Change& constant, ordered_json& result) {
   int seen = 0;
   int unseen = 16;
   while (unseen - seen > 1) {
     const int middle = (seen + unseen) / 2;
-    Change change = constant.change;
+    Change change = constant;
     change.new_text = std::regex_replace(change.new_text, std::regex("CHANGE"), "1e-" + std::to_string(middle));
-    const std::string trouble = workshop.build(change);
-    if (!trouble.empty()) {
-      result["trouble"] = trouble;
-      return result;
-    }
+    workshop.put(change);
     std::set<std::string> failed;
-    const auto notices = [&](const Page& page) { return !(failed = workshop.failing_tests(page)).empty(); };
+    const auto notices = [&](const Page& page) {
+      return page.turn == Turn::always && !(failed = workshop.failing_tests(page)).empty();
+    };
     const auto noticing = std::find_if(pages.begin(), pages.end(), notices);
     const bool noticed = noticing != pages.end();
     (noticed ? seen : unseen) = middle;
@@ -108,8 +92,8 @@ ordered_json smallest_noticed(Workshop& workshop, std::vector<Page>& pages, cons
     result["by"] = failed;
     std::rotate(pages.begin(), noticing, noticing + 1);
   }
+  if (seen == 0) throw std::runtime_error("a change by a tenth is not noticed");
   result["smallest_noticed"] = std::pow(10.0, -seen);
-  return result;
 }
 
 bool failed(const ordered_json& result) {
@@ -127,53 +111,104 @@ std::string in_words(const ordered_json& result) {
 
 class Study {
  public:
-  Study(Places places, std::vector<Fault> faults)
-      : places_(std::move(places)), pages_(pages_of(places_)), faults_(std::move(faults)), results_(faults_.size()) {}
+  Study(Places places, Faults faults, bool quick)
+      : places_(std::move(places)),
+        pages_(pages_of(places_, faults.methods_pages, faults.costly_tests)),
+        faults_(std::move(faults)),
+        results_(faults_.all.size()) {
+    std::set<std::string> tests;
+    for (const Page& page : pages_) tests.insert(page.tests.begin(), page.tests.end());
+    std::set<std::string> mentioned = faults_.costly_tests;
+    for (const auto& [test, why] : faults_.silent) mentioned.insert(test);
+    for (const std::string& test : mentioned) {
+      if (tests.count(test) == 0) throw std::runtime_error("faults.toml: there is no test " + test);
+    }
+    if (!quick) return;
+    std::set<std::string> named;
+    for (const Fault& fault : faults_.all) named.insert(fault.quick);
+    std::erase_if(pages_, [&](const Page& page) { return named.count(page.name) == 0; });
+  }
 
-  // Tries those that are built in this way, `workers` at a time.
+  // Tries those that are built in this way, `workers` at a time; not if the sound tree is not green.
   void try_all(bool rebuild, unsigned workers) {
-    work_.clear();
-    for (std::size_t k = 0; k < faults_.size(); ++k) {
-      if (faults_[k].rebuild == rebuild) work_.push_back(k);
+    for (std::size_t k = 0; k < faults_.all.size(); ++k) {
+      if (faults_.all[k].rebuild == rebuild) work_.push_back(k);
     }
     std::reverse(work_.begin(), work_.end());
-    workers = std::min<unsigned>(workers, static_cast<unsigned>(work_.size()));
-    const unsigned compilers = std::max(1U, std::thread::hardware_concurrency() / std::max(1U, workers));
+    if (work_.empty()) return;
+    const std::string name = rebuild ? "rebuilt_" : "";
+    Workshop first(places_, name + "0", std::max(1U, std::thread::hardware_concurrency()), rebuild);
+    if (!sound(first)) {
+      bad_ += static_cast<int>(work_.size());
+      work_.clear();
+      return;
+    }
     std::vector<std::thread> threads;
-    for (unsigned k = 0; k < workers; ++k) {
-      threads.emplace_back([this, k, compilers, rebuild] {
-        Workshop workshop(places_, (rebuild ? "rebuilt_" : "") + std::to_string(k), compilers, rebuild);
-        if (sound(workshop)) try_in(workshop);
+    for (unsigned k = 1; k < std::min<std::size_t>(workers, work_.size()); ++k) {
+      threads.emplace_back([this, k, rebuild, &name] {
+        Workshop workshop(places_, name + std::to_string(k), 1, rebuild);
+        try_in(workshop);
       });
     }
+    try_in(first);
     for (std::thread& thread : threads) thread.join();
-    bad_ += static_cast<int>(work_.size());
   }
 
   int bad() const { return bad_; }  // not noticed, or not tried
 
   ordered_json report() const {
+    std::map<std::string, std::set<std::string>> groups;
     std::set<std::string> silent;
-    for (const Page& page : pages_) silent.insert(page.tests.begin(), page.tests.end());
+    for (const Page& page : pages_) {
+      silent.insert(page.tests.begin(), page.tests.end());
+      if (page.turn != Turn::always) groups[turn_names[page.turn]].insert(page.tests.begin(), page.tests.end());
+    }
     ordered_json tried = ordered_json::array();
     for (const ordered_json& result : results_) {
-      if (result.is_null()) continue;  // the workshop closed before
+      if (result.is_null()) continue;  // the sound tree was not green
       tried.push_back(result);
-      for (const auto& test : result.value("failed", ordered_json::array())) silent.erase(test.get<std::string>());
+      for (const char* key : {"failed", "by"}) {
+        for (const auto& test : result.value(key, ordered_json::array())) silent.erase(test.get<std::string>());
+      }
     }
-    return {{"commit", commit_of(places_.tree)}, {"results", tried}, {"noticed_nothing", silent}};
+    ordered_json noticed_nothing = ordered_json::object();
+    for (const std::string& test : silent) {
+      const auto why = faults_.silent.find(test);
+      noticed_nothing[test] = why == faults_.silent.end() ? "" : why->second;
+    }
+    return {{"commit", commit_of(places_.tree)},
+            {"groups", groups},
+            {"results", tried},
+            {"noticed_nothing", noticed_nothing}};
   }
 
  private:
-  bool sound(Workshop& workshop) {
-    std::string trouble = workshop.build({});
+  bool sound(Workshop& workshop) try {
+    workshop.put({});
     for (const Page& page : pages_) {
-      if (!trouble.empty()) break;
-      for (const std::string& test : workshop.failing_tests(page)) trouble = test + " fails";
+      for (const std::string& test : workshop.failing_tests(page)) throw std::runtime_error(test + " fails");
     }
-    const std::scoped_lock lock(mutex_);
-    if (!trouble.empty()) std::printf("FAILED: the sound tree is not green: %s\n", trouble.c_str());
-    return trouble.empty();
+    return true;
+  } catch (const std::runtime_error& error) {
+    std::printf("FAILED: the sound tree is not green: %s\n", error.what());
+    return false;
+  }
+
+  ordered_json tried(Workshop& workshop, std::vector<Page>& pages, const Fault& fault) const {
+    ordered_json result = head_of(fault);
+    const auto concerned = [&](const std::string& file) { return fault.change.file.find(file) == 0; };
+    const auto& files = faults_.methods_files;
+    const Turn last = std::any_of(files.begin(), files.end(), concerned) ? Turn::methods : Turn::always;
+    try {
+      if (fault.constant) {
+        smallest_noticed(workshop, pages, fault.change, result);
+      } else {
+        try_fault(workshop, pages_, last, fault.change, result);
+      }
+    } catch (const std::runtime_error& error) {
+      result["trouble"] = error.what();
+    }
+    return result;
   }
 
   void try_in(Workshop& workshop) {
@@ -182,12 +217,10 @@ class Study {
       const std::size_t mine = work_.back();
       work_.pop_back();
       lock.unlock();
-      const Fault& fault = faults_[mine];
-      ordered_json result =
-          fault.constant ? smallest_noticed(workshop, pages, fault) : try_fault(workshop, pages, fault);
+      ordered_json result = tried(workshop, pages, faults_.all[mine]);
       lock.lock();
       bad_ += failed(result) ? 1 : 0;
-      std::printf("%-40s %s\n", fault.name.c_str(), in_words(result).c_str());
+      std::printf("%-40s %s\n", faults_.all[mine].name.c_str(), in_words(result).c_str());
       std::fflush(stdout);
       results_[mine] = std::move(result);
     }
@@ -195,7 +228,7 @@ class Study {
 
   Places places_;
   std::vector<Page> pages_;
-  std::vector<Fault> faults_;
+  Faults faults_;
   std::vector<ordered_json> results_;
   std::vector<std::size_t> work_;  // indices of what is still to be tried, the next one last
   std::mutex mutex_;
@@ -227,21 +260,22 @@ int main_of(int argc, char** argv) {
     return 2;
   }
   const Places places{options.places[0], options.places[1], options.places[2]};
-  std::vector<Fault> faults = faults_in(places.tree / "verification/faults.toml");
-  std::erase_if(faults, [&](const Fault& f) {
-    return (options.quick && !f.quick) || (!options.only.empty() && options.only.count(f.name) == 0);
+  Faults faults = faults_in(places.tree / "verification/faults.toml");
+  std::erase_if(faults.all, [&](const Fault& f) {
+    return (options.quick && f.quick.empty()) || (!options.only.empty() && options.only.count(f.name) == 0);
   });
-  if (faults.empty()) throw std::runtime_error("no fault to try");
-  for (Fault& fault : faults) fault.rebuild = fault.rebuild || options.rebuild;
+  if (faults.all.empty()) throw std::runtime_error("no fault to try");
+  for (Fault& fault : faults.all) fault.rebuild = fault.rebuild || options.rebuild;
   // To build a second copy takes longer than to try a handful of faults in the first.
   if (options.quick) options.jobs = 1;
+  const std::size_t count = faults.all.size();
 
-  Study study(places, faults);
+  Study study(places, std::move(faults), options.quick);
   study.try_all(false, options.jobs);
   study.try_all(true, options.jobs);
   const fs::path result = places.work / "faults.json";
   std::ofstream(result) << study.report().dump(1) << "\n";
-  std::printf("%zu tried, %d not noticed or in trouble; %s\n", faults.size(), study.bad(), result.c_str());
+  std::printf("%zu tried, %d not noticed or in trouble; %s\n", count, study.bad(), result.c_str());
   return study.bad() == 0 ? 0 : 1;
 }
 

@@ -1,5 +1,6 @@
 #include "fault_study/workshop.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -47,6 +48,23 @@ std::string scenes_of(const fs::path& tree) {
   return text;
 }
 
+// All of the state path but lines of comment.
+std::string code_of(const fs::path& tree) {
+  std::set<fs::path> files;  // sorted
+  for (const char* part : {"physics", "scene", "system", "methods"}) {
+    for (const auto& entry : fs::directory_iterator(tree / "src" / part)) files.insert(entry.path());
+  }
+  std::string code;
+  for (const fs::path& file : files) {
+    std::istringstream lines(text_of(file));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t first = line.find_first_not_of(' ');
+      if (first != std::string::npos && line.compare(first, 2, "//") != 0) code += line + "\n";
+    }
+  }
+  return code;
+}
+
 }  // namespace
 
 std::string text_of(const fs::path& file) {
@@ -57,7 +75,8 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-std::vector<Page> pages_of(const Places& places) {
+std::vector<Page> pages_of(const Places& places, const std::set<std::string>& methods,
+                           const std::set<std::string>& costly) {
   std::set<fs::path> sources;  // sorted
   for (const auto& entry : fs::directory_iterator(places.tree / "verification")) {
     if (entry.path().extension() == ".cpp") sources.insert(entry.path());
@@ -65,14 +84,21 @@ std::vector<Page> pages_of(const Places& places) {
   std::vector<Page> pages;
   static const std::regex test(R"(\bTEST\((\w+), (\w+)\))");
   for (const fs::path& source : sources) {
-    Page page{source.stem(), {}, {}};
+    Page usual{source.stem(), {}, {}, methods.count(source.stem()) != 0 ? Turn::methods : Turn::always};
+    Page later{source.stem(), {}, {}, Turn::costly};
     const std::string text = text_of(source);
-    for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
-      page.tests.push_back((*found)[1].str() + "." + (*found)[2].str());
-    if (page.tests.empty()) continue;
-    page.object = text_of(places.objects() / (source.filename().string() + ".o"));
-    pages.push_back(std::move(page));
+    for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found) {
+      const std::string name = (*found)[1].str() + "." + (*found)[2].str();
+      (costly.count(name) != 0 ? later : usual).tests.push_back(name);
+    }
+    for (Page* page : {&usual, &later}) {
+      if (page->tests.empty()) continue;
+      page->object = text_of(places.objects() / (source.filename().string() + ".o"));
+      if (page->turn != Turn::always) page->object += text_of(places.sound_build / "libfurrow_studies.a");
+      pages.push_back(std::move(*page));
+    }
   }
+  std::stable_sort(pages.begin(), pages.end(), [](const Page& a, const Page& b) { return a.turn < b.turn; });
   return pages;
 }
 
@@ -81,49 +107,64 @@ Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs,
   fs::create_directories(home_ / "tree");
   fs::create_directories(places.verdicts());
   copy_tree(places.tree, home_ / "tree");
-  const bool cached = std::system("command -v ccache >/dev/null") == 0;
-  const fs::path log = home_ / "configure.log";
-  if (!succeeds("cmake -S " + quoted(places.tree / "verification/fault_study") + " -B " + quoted(home_ / "build") +
-                    " -G Ninja -DCMAKE_BUILD_TYPE=Release -DTREE=" + quoted(home_ / "tree") +
-                    " -DSOURCE_DIR=" + quoted(places.tree) + " -DBUILD=" + quoted(places.sound_build) +
-                    (cached ? " -DCMAKE_CXX_COMPILER_LAUNCHER=ccache" : ""),
-                log)) {
-    configure_trouble_ = "the copy cannot be configured, see " + log.string();
-  }
 }
 
-std::string Workshop::build(const Change& change) {
-  if (!configure_trouble_.empty()) return configure_trouble_;
+void Workshop::configure() {
+  const bool cached = std::system("command -v ccache >/dev/null") == 0;
+  const fs::path log = home_ / "configure.log";
+  if (!succeeds("cmake -S " + quoted(places_.tree / "verification/fault_study") + " -B " + quoted(home_ / "build") +
+                    " -G Ninja -DCMAKE_BUILD_TYPE=Release -DTREE=" + quoted(home_ / "tree") +
+                    " -DSOURCE_DIR=" + quoted(places_.tree) + " -DBUILD=" + quoted(places_.sound_build) +
+                    (cached ? " -DCMAKE_CXX_COMPILER_LAUNCHER=ccache" : ""),
+                log)) {
+    throw std::runtime_error("the copy cannot be configured, see " + log.string());
+  }
+  configured_ = true;
+}
+
+void Workshop::put(const Change& change) {
   if (!changed_.empty()) write(home_ / "tree" / changed_, text_of(places_.tree / changed_));
   changed_ = change.file;
+  built_ = false;
   if (!change.file.empty()) {
     std::string text = text_of(places_.tree / change.file);
     const std::size_t at = text.find(change.old_text);
-    if (change.old_text.empty() || at == std::string::npos) return "the text to change is not in " + change.file;
+    if (change.old_text.empty() || at == std::string::npos)
+      throw std::runtime_error("the text to change is not in " + change.file);
     if (text.find(change.old_text, at + 1) != std::string::npos)
-      return "the text to change stands twice in " + change.file;
+      throw std::runtime_error("the text to change stands twice in " + change.file);
     write(home_ / "tree" / change.file, text.replace(at, change.old_text.size(), change.new_text));
   }
-  const fs::path log = home_ / "build.log";
-  const fs::path build = home_ / "build";
-  if (!succeeds("cmake --build " + quoted(build) + " --target " + target_ + " -j " + std::to_string(jobs_), log))
-    return "does not build, see " + log.string();
-  library_ = text_of(build / "tree/libfurrow.a") + text_of(build / "CMakeFiles/inlined.dir/inlined.cpp.o");
-  return "";
+  source_ = code_of(home_ / "tree") + text_of(places_.tree / "verification/fault_study/CMakeLists.txt");
 }
 
-std::set<std::string> Workshop::failing_tests(const Page& page) const {
+void Workshop::build() {
+  if (!configured_) configure();
+  const fs::path log = home_ / "build.log";
+  if (!succeeds("CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=" + quoted(home_) + " cmake --build " + quoted(home_ / "build") +
+                    " --target " + target_ + " -j " + std::to_string(jobs_),
+                log)) {
+    throw std::runtime_error("does not build, see " + log.string());
+  }
+  built_ = true;
+}
+
+std::set<std::string> Workshop::failing_tests(const Page& page) {
   const std::hash<std::string> hash;
+  std::string tests;
+  for (const std::string& test : page.tests) tests += test + "\n";
   char key[64];
-  std::snprintf(key, sizeof key, "%s-%016zx%016zx", target_.substr(0, 1).c_str(), hash(library_),
-                hash(page.object + scenes_of(places_.tree)));
+  std::snprintf(key, sizeof key, "%s-%016zx%016zx", target_.substr(0, 1).c_str(), hash(source_),
+                hash(page.object + tests + scenes_of(places_.tree)));
   const fs::path kept = places_.verdicts() / key;
   std::set<std::string> failing;
   if (!fs::exists(kept)) {
+    if (!built_) build();
+    const fs::path part = kept.string() + "." + home_.filename().string();
     std::string text;
     for (const std::string& test : run(page)) text += test + "\n";
-    write(kept.string() + ".part", text);
-    fs::rename(kept.string() + ".part", kept);
+    write(part, text);
+    fs::rename(part, kept);
   }
   std::istringstream lines(text_of(kept));
   for (std::string test; std::getline(lines, test);) failing.insert(test);
@@ -136,7 +177,7 @@ std::set<std::string> Workshop::run(const Page& page) const {
   std::string filter;
   for (const std::string& test : page.tests) filter += (filter.empty() ? "" : ":") + test;
   const fs::path log = home_ / "run.log";
-  succeeds("ulimit -t 60 -v 4000000; FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
+  succeeds("ulimit -t 60; ulimit -v 4000000; FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
                quoted(home_ / "build" / target_) + " --gtest_filter=" + filter,
            log);
   const std::string text = text_of(log);

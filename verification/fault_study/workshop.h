@@ -13,11 +13,15 @@ struct Change {
   std::string file, old_text, new_text;
 };
 
-// One source of verification/ and its tests.
+// When a page is run: for every fault; for faults of the methods and for what nothing before noticed; only for that.
+enum Turn { always, methods, costly };
+
+// One source of verification/ and its tests, but for the costly ones: these are a page of their own.
 struct Page {
   std::string name;
   std::vector<std::string> tests;  // "Suite.Test"
-  std::string object;              // the bytes of the object file
+  std::string object;              // the bytes of the object file, and of the studies that it calls
+  Turn turn = always;
 };
 
 // Where things are. The sound build must hold verification_tests.
@@ -28,27 +32,34 @@ struct Places {
 };
 
 std::string text_of(const std::filesystem::path& file);
-std::vector<Page> pages_of(const Places& places);
+// `methods` are names of pages, `costly` of tests.
+std::vector<Page> pages_of(const Places& places, const std::set<std::string>& methods,
+                           const std::set<std::string>& costly);
 
 // One copy of the tree with one build directory, in which changes are tried one after the other. Verdicts are kept in
-// places.verdicts() under what they hang on: the library, the page's object and the scenes.
+// places.verdicts() under what they hang on: the source but for its comments, the page's object and the scenes.
 class Workshop {
  public:
   Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild);
 
-  // Puts the change in place of the one before, and builds. Not empty: why that was not possible.
-  std::string build(const Change& change);
+  // Puts the change in place of the one before. Throws std::runtime_error if its text does not stand just once.
+  void put(const Change& change);
 
-  // Those of the page's tests that fail, or do not end.
-  std::set<std::string> failing_tests(const Page& page) const;
+  // Those of the page's tests that fail, or do not end. Builds what is needed for a verdict that is not kept; throws
+  // std::runtime_error if it does not build.
+  std::set<std::string> failing_tests(const Page& page);
 
  private:
+  void configure();
+  void build();
   std::set<std::string> run(const Page& page) const;
 
   Places places_;
   std::filesystem::path home_;
-  std::string target_, configure_trouble_, library_;  // library_: the bytes of what was built
-  std::string changed_;                               // file
+  std::string target_;
+  std::string changed_;  // file
+  std::string source_;   // what all verdicts on the change hang on
+  bool configured_ = false, built_ = false;
   unsigned jobs_;
 };
 
