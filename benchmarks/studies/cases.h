@@ -34,11 +34,12 @@ struct CaseInfo {
   int phases = 3;                   // runs with neighbouring steps, whose errors are averaged
   bool by_force = false;            // judged by the force on the plate, else by the positions at the end
   double reference_step = 0;        // s, of rk4
-  double other_step = 0;            // s, of the other reference, the longest one if it is controlled
+  Locate reference_locate = Locate::tears;
+  double other_step = 0;  // s, of the other reference, the longest one if it is controlled
   std::string other = "odeint_dopri5";
-  bool tears = false;    // every method is tried with and without locating them
-  double nudge_end = 0;  // s, how long the scene is watched for its predictability
-  bool big = false;      // seconds a run: left out of the quick form
+  std::vector<Locate> locate{Locate::none};  // every method is tried with each
+  double nudge_end = 0;                      // s, how long the scene is watched for its predictability
+  bool big = false;                          // seconds a run: left out of the quick form
   std::function<Scene()> scene;
 };
 

@@ -49,6 +49,7 @@ Point measured(const std::vector<Effort>& phases, const Case& scene, const Refer
     }
     const Error error = error_of(outcome, reference.outcome);
     point.failure = outcome.failure;
+    point.given_up = outcome.given_up;
     if (point.failure.empty() && !std::isfinite(error.place + error.force))
       point.failure = "an error that is not finite";
     if (!point.failure.empty()) {
@@ -97,14 +98,15 @@ double rounded(double value) {
 
 Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, const Reference& reference) {
   const MethodInfo& method = variant.method;
-  Ladder ladder{.method = method.name, .locates_tears = variant.locates_tears};
+  Ladder ladder{.method = method.name, .locate = variant.locate};
   const double length = scene.span.end() - scene.span.start;
   const long most = std::lround(4 * length / info.finest);
   for (const double setting : settings_of(info, method.controlled)) {
     Effort effort{.method = method.name,
                   .step = scene.span.interval,
-                  .locate = variant.locates_tears ? Locate::tears : Locate::none,
-                  .most_evaluations = most};
+                  .locate = variant.locate,
+                  .most_evaluations = most,
+                  .most_cpu = 3};
     if (method.controlled) {
       effort.tolerance = setting;
     } else {
@@ -120,12 +122,11 @@ Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, co
       break;
     }
     point.setting = method.controlled ? setting : effort.step;
-    const bool given_up = !point.failure.empty() && point.evaluations >= static_cast<double>(most);
-    if (given_up && !method.controlled) break;
-    if (!point.failure.empty() && !method.controlled)
+    if (point.given_up && !method.controlled && !ladder.points.empty()) break;
+    if (!point.failure.empty() && !point.given_up && !method.controlled)
       point.evaluations = nominal_evaluations(method, scene, effort.step);
     ladder.points.push_back(point);
-    if (given_up || (point.failure.empty() && below(point.error, reference.floor()))) break;
+    if (point.given_up || (point.failure.empty() && below(point.error, reference.floor()))) break;
   }
   return ladder;
 }
@@ -145,15 +146,16 @@ Json json_of(const Ladder& ladder) {
     }
     points.push_back(one);
   }
-  Json json = {{"method", ladder.method}, {"locates_tears", ladder.locates_tears}, {"points", points}};
+  Json json = {{"method", ladder.method}, {"locate", static_cast<int>(ladder.locate)}, {"points", points}};
   if (!ladder.left_out.empty()) json["left_out"] = ladder.left_out;
   return json;
 }
 
 Ladder ladder_from(const Json& json) {
   if (json.contains("failed")) throw std::runtime_error(json.at("failed").get<std::string>());
-  Ladder ladder{
-      .method = json.at("method"), .locates_tears = json.at("locates_tears"), .left_out = json.value("left_out", "")};
+  Ladder ladder{.method = json.at("method"),
+                .locate = static_cast<Locate>(json.at("locate").get<int>()),
+                .left_out = json.value("left_out", "")};
   for (const Json& p : json.at("points")) {
     Point point{.setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
     point.error = {p.value("place", 0.0), p.value("force", 0.0)};

@@ -11,23 +11,24 @@ struct Point {
   Error error{};                                // root mean square over the phases
   double evaluations = 0;                       // mean over the phases
   double cpu = 0, cpu_least = 0, cpu_most = 0;  // s: median, and spread of the repeats
+  bool given_up = false;                        // it cost too much: no finer setting is tried
   std::string failure{};                        // then the costs are those of a run to the end, as far as known
   double error_by(bool force) const { return force ? error.force : error.place; }
 };
 
 struct Ladder {
   std::string method;
-  bool locates_tears = false;
+  Locate locate = Locate::none;
   std::string left_out{};       // why the method cannot run here
   std::vector<Point> points{};  // from coarse to fine
-  std::string name() const { return method + (locates_tears ? " +t" : ""); }
+  std::string name() const { return method + (locate == Locate::tears ? " +t" : locate == Locate::all ? " +e" : ""); }
 };
 
 // Steps are halved, tolerances divided by ten, from the coarsest on until the error is below the floor of the reference
 // or a run costs more evaluations than rk4 with the finest step.
 struct Variant {
   MethodInfo method;
-  bool locates_tears = false;
+  Locate locate = Locate::none;
 };
 Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, const Reference& reference);
 

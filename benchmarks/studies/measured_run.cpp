@@ -51,6 +51,17 @@ class Sampler {
   int taken_ = 0;
 };
 
+// The clock is looked at now and then: that takes as long as an evaluation of a small scene.
+struct Clock {
+  double begun;   // s
+  long next = 0;  // evaluations
+  bool beyond(long evaluations, double most) {
+    if (evaluations < next) return false;
+    next = evaluations + 500;
+    return cpu_seconds() - begun > most;
+  }
+};
+
 double root_mean_square(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += v * v;
@@ -88,10 +99,11 @@ Outcome run_case(const Case& scene, const Effort& effort) {
                      .stop = [&sampler](double) { return sampler.next(); },
                      .locate = effort.locate};
   const double begun = cpu_seconds();
+  Clock clock{begun};
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& jump) {
     outcome.torn += static_cast<int>(jump.torn.size());
     sampler.see(system, t, now);
-    return method->evaluations() < effort.most_evaluations;
+    return method->evaluations() < effort.most_evaluations && !clock.beyond(method->evaluations(), effort.most_cpu);
   });
   outcome.cpu = cpu_seconds() - begun;
   outcome.reached = end.time;
@@ -99,7 +111,8 @@ Outcome run_case(const Case& scene, const Effort& effort) {
   outcome.evaluations = method->evaluations() + end.event_evaluations;
   if (end.ending == Ending::diverged) outcome.failure = end.reason;
   if (end.ending == Ending::stopped)
-    outcome.failure = "not at the end after " + std::to_string(effort.most_evaluations) + " evaluations";
+    outcome.failure = "not at the end after " + std::to_string(method->evaluations()) + " evaluations";
+  outcome.given_up = end.ending == Ending::stopped;
   outcome.place.assign(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(system.positions()));
   return outcome;
 }

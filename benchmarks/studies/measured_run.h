@@ -11,10 +11,12 @@ struct Effort {
   double tolerance = 0;  // relative, of a controlled method; the absolute one is this times 0.01 m, m/s, rad/s
   Locate locate = Locate::none;
   long most_evaluations = 20000000;  // then the run is given up
+  double most_cpu = infinity;        // s
 };
 
 struct Outcome {
   std::string failure;              // empty: the run came to its end
+  bool given_up = false;            // it cost too much
   double reached = 0;               // s
   long steps = 0, evaluations = 0;  // -, of the right-hand side
   double cpu = 0;                   // s, of this thread, for steps, jumps and samples

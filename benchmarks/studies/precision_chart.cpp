@@ -13,10 +13,10 @@ constexpr std::array<double Point::*, 2> costs{&Point::evaluations, &Point::cpu}
 constexpr std::array<const char*, 2> cost_names{"evaluations", "cpu"};
 
 // Line styles of the script work_precision.gp, in its order.
-const std::vector<std::string> styled{"pece",      "pec",    "pecece", "ab2",  "pece_adaptive", "symplectic_euler",
-                                      "verlet",    "rk4",    "rkc",    "imex", "pece +t",       "pece_adaptive +t",
-                                      "verlet +t", "rk4 +t", "rkc +t"};
-const std::vector<std::string> located(styled.begin() + 10, styled.end());
+const std::vector<std::string> styled{
+    "pece", "pec",     "pecece",           "ab2",    "pece_adaptive", "symplectic_euler", "verlet", "rk4",
+    "rkc",  "pece +t", "pece_adaptive +t", "rk4 +t", "pece +e",       "pece_adaptive +e", "rk4 +e"};
+const std::vector<std::string> located(styled.begin() + 9, styled.end());
 const std::vector<std::string> families{"odeint Runge-Kutta", "odeint Adams", "odeint controlled", "odeint symplectic",
                                         "odeint implicit"};
 constexpr int first_family_style = 21;
@@ -43,12 +43,12 @@ int style_of(const std::string& curve) {
   return 1 + static_cast<int>(own - styled.begin());
 }
 
-// Of the variants that locate tears the chart shows some; all are in the tables and the data.
+// Of the variants that locate events the chart shows some; all are in the tables and the data.
 std::string curve_of(const Ladder& ladder) {
   std::string family = family_of(ladder.method);
   if (family != ladder.method) return family;
   const bool drawn = std::find(located.begin(), located.end(), ladder.name()) != located.end();
-  return ladder.locates_tears && !drawn ? "" : ladder.name();
+  return ladder.locate != Locate::none && !drawn ? "" : ladder.name();
 }
 
 struct Mark {

@@ -42,9 +42,10 @@ double apart(const State& a, const State& b, int numbers) {
 }  // namespace
 
 Json reference_runs(const CaseInfo& info, const Case& scene) {
-  const Outcome fine = complete_run(scene, {.method = "rk4", .step = info.reference_step, .locate = Locate::tears});
-  const Outcome unlike =
-      complete_run(scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10, .locate = Locate::tears});
+  const Outcome fine =
+      complete_run(scene, {.method = "rk4", .step = info.reference_step, .locate = info.reference_locate});
+  const Outcome unlike = complete_run(
+      scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10, .locate = info.reference_locate});
   return {{"fine", json_of(fine)}, {"other", info.other}, {"unlike", json_of(unlike)}};
 }
 

@@ -92,15 +92,16 @@ std::vector<Found> all_runs(const Settings& settings, const std::vector<CaseInfo
   std::vector<std::pair<Found*, Variant>> climbers;
   for (Found& f : found) {
     for (const MethodInfo& method : method_catalogue()) {
-      climbers.push_back({&f, {method, false}});
-      if (f.info.tears) climbers.push_back({&f, {method, true}});
+      for (const Locate locate : f.info.locate) {
+        if (locate == Locate::none || method.family == "own") climbers.push_back({&f, {method, locate}});
+      }
     }
   }
   for (const auto& climber : climbers) {
     Found* f = climber.first;
     const Variant variant = climber.second;
     tasks.push_back(
-        {f->info.name + " " + variant.method.name + (variant.locates_tears ? " located" : ""),
+        {f->info.name + " " + Ladder{.method = variant.method.name, .locate = variant.locate}.name(),
          [&scenes, f, variant] { return json_of(climb(variant, f->info, scenes.of(f->info), f->reference)); }});
   }
   Settings alone = settings;  // two at a time disturb each other's caches
@@ -108,9 +109,7 @@ std::vector<Found> all_runs(const Settings& settings, const std::vector<CaseInfo
   const std::vector<Json> climbed = run_tasks("work_precision", alone, tasks);
   for (std::size_t k = 0; k < climbed.size(); ++k) {
     const auto& [f, variant] = climbers[k];
-    Ladder failed{.method = variant.method.name,
-                  .locates_tears = variant.locates_tears,
-                  .left_out = climbed[k].value("failed", "")};
+    Ladder failed{.method = variant.method.name, .locate = variant.locate, .left_out = climbed[k].value("failed", "")};
     f->ladders.push_back(climbed[k].contains("failed") ? failed : ladder_from(climbed[k]));
   }
   return found;
@@ -247,8 +246,9 @@ Json work_precision(const Settings& settings) {
       "which repeat to the digit, and CPU seconds on one thread, median and spread of three to nine runs. All "
       "methods run through the same loop, with the same jump after each step, samples, and no energy ledger. The "
       "jump evaluates the contacts once more and is not counted among the evaluations: a method with many cheap "
-      "steps pays for it in CPU time. +t: tears are located within the step, at two evaluations each, as in the "
-      "references.");
+      "steps pays for it in CPU time. +t: tears are located within the step; +e: so are touches, slips and forces held "
+      "at zero, and steps behind a "
+      "touch are graded; what that costs is counted. Tried with the own methods.");
   add_gains(report, all);
   for (const Found& f : all) {
     report.heading(f.info.name + ": " + f.info.title);

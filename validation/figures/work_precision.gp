@@ -22,12 +22,12 @@ set style line 6 lc rgb '#e69f00' lw 1.5 pt 4 ps 0.5 dt (6, 3)
 set style line 7 lc rgb '#e69f00' lw 1.8 pt 5 ps 0.5
 set style line 8 lc rgb '#009e73' lw 1.8 pt 11 ps 0.6
 set style line 9 lc rgb '#d55e00' lw 1.8 pt 9 ps 0.6
-set style line 10 lc rgb '#56b4e9' lw 1.8 pt 15 ps 0.6
-set style line 11 lc rgb '#000000' lw 1.6 pt 6 ps 0.6 dt (8, 4, 2, 4)
-set style line 12 lc rgb '#0072b2' lw 1.6 pt 12 ps 0.7 dt (8, 4, 2, 4)
-set style line 13 lc rgb '#e69f00' lw 1.6 pt 4 ps 0.6 dt (8, 4, 2, 4)
-set style line 14 lc rgb '#009e73' lw 1.6 pt 10 ps 0.7 dt (8, 4, 2, 4)
-set style line 15 lc rgb '#d55e00' lw 1.6 pt 8 ps 0.7 dt (8, 4, 2, 4)
+set style line 10 lc rgb '#000000' lw 1.6 pt 6 ps 0.6 dt (8, 4, 2, 4)
+set style line 11 lc rgb '#0072b2' lw 1.6 pt 12 ps 0.7 dt (8, 4, 2, 4)
+set style line 12 lc rgb '#009e73' lw 1.6 pt 10 ps 0.7 dt (8, 4, 2, 4)
+set style line 13 lc rgb '#000000' lw 2.2 pt 4 ps 0.6 dt (1, 2)
+set style line 14 lc rgb '#0072b2' lw 2.2 pt 12 ps 0.7 dt (1, 2)
+set style line 15 lc rgb '#009e73' lw 2.2 pt 10 ps 0.7 dt (1, 2)
 set style line 16 lc rgb '#6a3d9a' lw 1.5 pt 5 ps 0.5
 set style line 21 lc rgb '#606060' lw 1.6 pt 2 ps 0.3
 set style line 22 lc rgb '#8a8a8a' lw 1.6 pt 2 ps 0.3 dt (6, 3)
