@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "scene/read.h"
 #include "studies/catalogue.h"
 #include "studies/measured_run.h"
 #include "studies/need_terms.h"
@@ -195,7 +196,14 @@ Verdict verdict_on(const Runs& runs, std::size_t term) {
   return v;
 }
 
-void add_subject(Report& report, const Runs& runs) {
+std::string hash_of(const Scene& scene) {
+  std::array<char, 20> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(scene_hash(scene)));
+  return text.data();
+}
+
+// Returns the terms that are not needed, for furrow explain.
+Json add_subject(Report& report, const Runs& runs) {
   report.heading(runs.subject.name);
   std::vector<std::string> head{"without"};
   std::vector<Json> limit{"tolerance"};
@@ -208,15 +216,19 @@ void add_subject(Report& report, const Runs& runs) {
   head.insert(head.end(), {"CPU saved", "so"});
   std::vector<std::vector<Json>> rows{limit};
   std::string spare;
+  Json not_needed = Json::array();
   for (std::size_t k = 0; k < runs.without.size(); ++k) {
     const Verdict v = verdict_on(runs, k);
     rows.push_back(v.row);
-    if (!v.needed) spare += (spare.empty() ? "" : "; ") + runs.without[k].first + (v.certain ? "" : " (not certain)");
+    if (v.needed) continue;
+    spare += (spare.empty() ? "" : "; ") + runs.without[k].first + (v.certain ? "" : " (not certain)");
+    not_needed.push_back({{"term", runs.without[k].first}, {"certain", v.certain}, {"saved", percent(v.saved)}});
   }
   report.table("Change against the whole model" +
                    std::string(runs.base.size() > 1 ? ", mean over packings ± its standard error" : ""),
                head, rows);
   report.text(spare.empty() ? "Every term is needed." : "Not needed: " + spare + ".");
+  return not_needed;
 }
 
 // The ledger looks on; it must not touch what it looks at.
@@ -283,7 +295,9 @@ Json need(const Settings& settings) {
       "disc and spins exist where friction does; a tangential spring without its Coulomb limit. Gravity and the "
       "damping of contacts cannot be left out of a bed: without them it never settles. What a scene leaves out "
       "already, and so cannot be switched off, is what furrow explain lists.");
-  for (const Runs& runs : all) add_subject(report, runs);
+  Json not_needed = Json::object();
+  for (const Runs& runs : all) not_needed[hash_of(runs.subject.scene())] = add_subject(report, runs);
+  report.data({{"not_needed", not_needed}});
   add_ledger_claim(report, all);
   if (!settings.quick) add_rest(report, settings);
   return report.json();

@@ -1,12 +1,16 @@
 // What of a scene is modelled, what is left out, and what follows from its numbers.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "methods/method.h"
+#include "page/embedded.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "scene/read.h"
 #include "system/observe.h"
 #include "system/prepare.h"
 #include "system/stiffness.h"
@@ -70,6 +74,19 @@ void print_left_out(const Scene& scene, const System& system) {
     line("tears within a step", "are seen at its end (time.locate = \"tears\" ends it there)");
   if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
+}
+
+// What the study of need found for exactly this scene, if it is one of those that it tried.
+void print_not_needed(const Scene& scene) {
+  std::array<char, 20> hash{};
+  std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(scene_hash(scene)));
+  const auto study = nlohmann::json::parse(embedded("reference_data/studies/need.json"));
+  const auto terms = study.at("data").at("not_needed");
+  if (!terms.contains(hash.data())) return;
+  std::printf("\nnot needed (without it all that is observed changes by less than the tolerance: furrow study need)\n");
+  for (const auto& t : terms.at(hash.data()))
+    line("", "%s%s; CPU time saved: %s", t.at("term").get<std::string>().c_str(),
+         t.at("certain").get<bool>() ? "" : " (not certain)", t.at("saved").get<std::string>().c_str());
 }
 
 double characteristic_speed(const Scene& scene) {
@@ -165,6 +182,7 @@ int explain_command(const RunOptions& options) {
   const System system = unsettled(scene);
   print_modelled(scene, system);
   print_left_out(scene, system);
+  print_not_needed(scene);
   print_contacts(scene, system);
   print_smallest_disc(scene, system.parts());
   std::fflush(stdout);
