@@ -74,7 +74,7 @@ bool below(const Error& error, const Error& floor) { return error.place < floor.
 std::vector<double> settings_of(const CaseInfo& info, bool controlled) {
   std::vector<double> all;
   if (controlled) {
-    for (int k = 1; k <= 12; ++k) all.push_back(std::pow(10.0, -k));
+    for (int k = -1; k <= 12; ++k) all.push_back(std::pow(10.0, -k));
   } else {
     double h = paper_step;
     while (h * 2 <= info.coarsest) h *= 2;
