@@ -99,11 +99,17 @@ int parse_and_run(int argc, char** argv) {
   report->add_option("--studies", reported.studies, "directory of the studies' results, to be shown on the page");
 
   StudyOptions studied;
-  auto* study = app.add_subcommand("study", "run a study of methods; without a name: list the studies");
+  const auto add_study_options = [&studied](CLI::App* command) {
+    command->add_option("--out", studied.directory, "directory for NAME.json")->capture_default_str();
+    command->add_flag("--quick", studied.quick, "the short form");
+    command->add_option("--jobs", studied.jobs, "runs at a time (default: one a processor)")
+        ->check(CLI::PositiveNumber);
+    return command;
+  };
+  auto* study = add_study_options(app.add_subcommand("study", "run a study; without a name: list the studies"));
   study->add_option("name", studied.name, "name of the study");
-  study->add_option("--out", studied.directory, "directory for NAME.json")->capture_default_str();
-  study->add_flag("--quick", studied.quick, "the short form");
-  study->add_option("--jobs", studied.jobs, "runs at a time (default: one a processor)")->check(CLI::PositiveNumber);
+  auto* ensemble = add_study_options(app.add_subcommand("ensemble", "study ensemble: the scenes over many packings"));
+  auto* statements = add_study_options(app.add_subcommand("statements", "study statements: the paper, judged"));
 
   GoldenRequest asked;
   auto* golden = app.add_subcommand("golden", "run the paper's scenes and compare them to the bit with earlier runs");
@@ -123,7 +129,10 @@ int parse_and_run(int argc, char** argv) {
   if (*stability) return stability_command(standing);
   if (*methods) return methods_command();
   if (*golden) return golden_command(asked);
-  if (*study) return study_command(studied);
+  for (const CLI::App* named : {ensemble, statements}) {
+    if (*named) studied.name = named->get_name();
+  }
+  if (*study || *ensemble || *statements) return study_command(studied);
   return report_command(reported);
 }
 

@@ -162,7 +162,7 @@ TEST(Publication, EveryStatementCanBeMeasured) {
   RunDirectory directory;
   directory.force(two_contacts);
   const RunRecord run = read(directory);
-  const Publication paper = read_publication(embedded("reference_data/published/paper.toml"));
+  const Publication paper = read_publication(embedded("validation/statements.toml"));
   std::set<std::string> ids;
   for (const Statement& s : paper.statements) {
     EXPECT_NO_THROW(measure(run, s.observable, s.window)) << s.id;

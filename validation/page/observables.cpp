@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "page/snapshot_observables.h"
+
 namespace furrow {
 namespace {
 
@@ -50,14 +52,21 @@ double force_free_share(const ForceCurve& c) {
   return 100 * static_cast<double>(std::count(c.f.begin(), c.f.end(), 0.0)) / static_cast<double>(c.f.size());
 }
 
-// Least-squares exponential through the largest forces per 50 mm: its factor per 100 mm.
-double growth_of_maxima(const ForceCurve& c) {
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+// Least-squares exponential through the largest forces per 50 mm.
+struct Growth {
+  double factor = nan;     // per 100 mm
+  double explained = nan;  // share of the variance of their logarithms, R^2
+};
+
+Growth growth_of_maxima(const ForceCurve& c) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
   for (const auto& [mm, f] : maxima(c, 50)) {
     const double x = mm / 100, y = std::log(f);
-    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
   }
-  return n < 2 ? nan : std::exp((n * sxy - sx * sy) / (n * sxx - sx * sx));
+  if (n < 3) return {};
+  const double xx = n * sxx - sx * sx, xy = n * sxy - sx * sy, yy = n * syy - sy * sy;
+  return {std::exp(xy / xx), xy * xy / (xx * yy)};
 }
 
 // The first contact ends where nothing touches the plate for 1 mm or more before the second begins. mm; NaN: never.
@@ -206,7 +215,10 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
   if (name == "largest_force_at") return {value_at(c.mm, s, extreme(c.f, s))};
   if (name == "force_ratio") return {force_ratio(c, s)};
   if (name == "force_free_share") return {force_free_share(c)};
-  if (name == "growth_of_maxima") return {growth_of_maxima(c)};
+  if (name == "growth_of_maxima") return {growth_of_maxima(c).factor};
+  if (name == "exponential_share") return {growth_of_maxima(c).explained};
+  if (name == "finished") return {run.finished() ? 1.0 : 0.0};
+  if (const auto seen = measure_snapshots(run, name)) return *seen;
   const Contacts contacts = contacts_of(c);
   const double first_end = std::isnan(contacts.ended) ? c.end() : contacts.ended;
   if (name == "first_impact") return {largest(c.fx, samples_in(c, {contacts.first, first_end}))};

@@ -67,7 +67,7 @@ std::string scene_table(const std::vector<RunRecord>& runs) {
 
 void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& reported,
                   const Evidence& evidence) {
-  const Publication paper = read_publication(embedded("reference_data/published/paper.toml"));
+  const Publication paper = read_publication(embedded("validation/statements.toml"));
   std::vector<RunRecord> runs;
   for (const ReportedRun& r : reported) runs.push_back(read_run(r.name, r.directory));
   std::filesystem::create_directories(out);

@@ -10,7 +10,7 @@
 namespace furrow {
 
 struct ReportedRun {
-  std::string name;                 // "scenario_1" ...: the scene as reference_data/published/paper.toml calls it
+  std::string name;                 // "scenario_1" ...: the scene as validation/statements.toml calls it
   std::filesystem::path directory;  // where the run's files are
 };
 

@@ -156,13 +156,13 @@ Publication read_publication(std::string_view text) {
       s.window = pair("window");
       s.holds = pair("holds");
       if (s.id.empty() || (s.words.empty() && std::isnan(s.value))) {
-        throw std::runtime_error("paper.toml: statement " + std::to_string(k + 1) + " has no id or no value");
+        throw std::runtime_error("statements.toml: statement " + std::to_string(k + 1) + " has no id or no value");
       }
       publication.statements.push_back(std::move(s));
     }
     return publication;
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error("paper.toml: " + std::string(error.description()));
+    throw std::runtime_error("statements.toml: " + std::string(error.description()));
   }
 }
 

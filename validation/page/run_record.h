@@ -58,7 +58,7 @@ double plate_speed(const RunRecord& run);  // of the first plate, mm/s
 // the file that is missing or malformed.
 RunRecord read_run(const std::string& name, const std::filesystem::path& directory);
 
-// One thing that the paper reports; the heading of reference_data/published/paper.toml explains the fields.
+// One thing that the paper reports; the heading of validation/statements.toml explains the fields.
 struct Statement {
   std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words;
   double value = std::numeric_limits<double>::quiet_NaN();  // NaN: the paper says it in `words`

@@ -6,6 +6,9 @@
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
+
+#include "output/files.h"
 
 namespace furrow {
 
@@ -35,6 +38,14 @@ Table::Table(const std::filesystem::path& file) : file_(run_path(file).string())
     } else {
       for (std::size_t k = 0; k < cells.size(); ++k) columns_[k].push_back(std::move(cells[k]));
     }
+  }
+}
+
+Table::Table(std::vector<std::string> heading, const std::vector<std::vector<double>>& columns)
+    : heading_(std::move(heading)) {
+  for (const std::vector<double>& column : columns) {
+    std::vector<std::string>& cells = columns_.emplace_back();
+    for (const double value : column) cells.push_back(number(value));
   }
 }
 

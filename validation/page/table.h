@@ -17,6 +17,7 @@ class Table {
  public:
   Table() = default;
   explicit Table(const std::filesystem::path& file);
+  Table(std::vector<std::string> heading, const std::vector<std::vector<double>>& columns);
 
   std::size_t rows() const { return columns_.empty() ? 0 : columns_[0].size(); }
   const std::string& file() const { return file_; }

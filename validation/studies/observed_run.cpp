@@ -1,12 +1,39 @@
 #include "studies/observed_run.h"
 
+#include <array>
 #include <cmath>
 
 #include "page/embedded.h"
+#include "physics/stress.h"
 #include "system/observe.h"
 #include "system/run.h"
 
 namespace furrow::studies {
+namespace {
+
+Frame frame_of(const System& system, double t, const State& y) {
+  std::vector<std::vector<double>> discs(4), links(4), plates(4);
+  const auto add = [](std::vector<std::vector<double>>& to, const std::array<double, 4>& row) {
+    for (std::size_t k = 0; k < row.size(); ++k) to[k].push_back(row[k]);
+  };
+  const std::vector<Stress> stress = disc_stresses(system, t, y);
+  for (int i = 0; i < system.parts().disc.count(); ++i)
+    add(discs, {y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], von_mises(stress[i])});
+  const System::Nodes node = system.nodes(y);
+  const LinkArrays& link = system.parts().link;
+  for (int k = 0; k < link.count(); ++k) {
+    if (!system.torn(k)) add(links, {node.x[link.a[k]], node.y[link.a[k]], node.x[link.b[k]], node.y[link.b[k]]});
+  }
+  for (int k = 0; k < std::ssize(system.parts().plate); ++k) {
+    const auto [left, lower, vx, vy] = system.plate_at(k, t);
+    add(plates, {left, lower, system.parts().plate[k].width, system.parts().plate[k].height});
+  }
+  return {.discs = Table({"x [m]", "y [m]", "radius [m]", "von Mises [Pa]"}, discs),
+          .links = Table({"x1 [m]", "y1 [m]", "x2 [m]", "y2 [m]"}, links),
+          .plates = Table({"left [m]", "lower [m]", "width [m]", "height [m]"}, plates)};
+}
+
+}  // namespace
 
 RunRecord observed_run(Prepared prepared, const Timing& time) {
   System& system = prepared.system;
@@ -27,6 +54,11 @@ RunRecord observed_run(Prepared prepared, const Timing& time) {
       }};
   const RunEnd end = run(system, *method, prepared.y, plan, [&](double t, const State& y, const JumpReport& jump) {
     for (const Tear& tear : jump.torn) record.torn.push_back({speed * tear.time, tear.link});
+    const std::vector<double>& pictures = prepared.scene.output.frames;
+    while (record.frames.size() < pictures.size() && t >= pictures[record.frames.size()] - 0.5 * time.step) {
+      record.frames.push_back(frame_of(system, t, y));
+      record.frames.back().mm = speed * t;
+    }
     if (!due(t)) return true;
     const Force force = observe(system, t, y).plate.at(0);
     record.force.mm.push_back(speed * t);
@@ -52,7 +84,7 @@ std::vector<Reported> reported(const RunRecord& run, const Publication& paper, c
 }
 
 const Publication& the_paper() {
-  static const Publication paper = read_publication(embedded("reference_data/published/paper.toml"));
+  static const Publication paper = read_publication(embedded("validation/statements.toml"));
   return paper;
 }
 

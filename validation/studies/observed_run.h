@@ -10,15 +10,15 @@ namespace furrow::studies {
 // A run that diverges keeps what it has: fact "ended" is then "diverged", fact "reason" says why.
 RunRecord observed_run(Prepared prepared, const Timing& time);
 
-// The named observables of the paper's statements about `scene` ("scenario_1" ...), in the order of paper.toml; NaN
-// where the run does not say, or says it in words.
+// The named observables of the paper's statements about `scene` ("scenario_1" ...), in the order of statements.toml;
+// NaN where the run does not say, or says it in words.
 struct Reported {
   std::string id;
   Measured ours;
 };
 std::vector<Reported> reported(const RunRecord& run, const Publication& paper, const std::string& scene);
 
-// reference_data/published/paper.toml.
+// validation/statements.toml.
 const Publication& the_paper();
 
 }  // namespace furrow::studies

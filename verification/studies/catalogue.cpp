@@ -11,6 +11,8 @@ const std::vector<Study>& catalogue() {
       {"geometry", "which lattice and plate come closest to the paper's first scene", geometry},
       {"convergence", "which of the paper's numbers do not depend on the time step", convergence},
       {"ensemble", "the paper's numbers over many packings of the bed", ensemble},
+      {"statements", "the paper, sentence by sentence; gaps and misprints tried both ways", statements},
+      {"outlook", "what the paper leaves to later: speed of the plate, size of the particles", outlook},
   };
   return all;
 }

@@ -12,5 +12,7 @@ Json need(const Settings& settings);
 Json geometry(const Settings& settings);
 Json convergence(const Settings& settings);
 Json ensemble(const Settings& settings);
+Json statements(const Settings& settings);
+Json outlook(const Settings& settings);
 
 }  // namespace furrow::studies

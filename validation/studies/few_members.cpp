@@ -1,0 +1,68 @@
+#include "studies/few_members.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace furrow::studies {
+
+Norm norm_of(const std::vector<Json>& ensemble) {
+  Norm norm;
+  for (const std::string& id : few_observables) {
+    const Sample sample = sample_of(id, ensemble);
+    norm.mean.push_back(sample.mean());
+    norm.deviation.push_back(sample.deviation());
+  }
+  return norm;
+}
+
+double strangeness(const std::vector<Json>& members, const Norm& norm) {
+  double most = 0;
+  for (std::size_t k = 0; k < few_observables.size(); ++k) {
+    const Sample sample = sample_of(few_observables[k], members);
+    if (sample.numbers.size() != members.size()) return INFINITY;  // one diverged, or does not say
+    const double error = norm.deviation[k] / std::sqrt(static_cast<double>(members.size()));
+    most = std::max(most, std::fabs(sample.mean() - norm.mean[k]) / error);
+  }
+  return most;
+}
+
+const std::vector<Change>& changes() {
+  static const std::vector<Change> all = [] {
+    std::vector<Change> list;
+    for (const double factor : {0.5, 0.8, 1.25, 2.0}) {
+      list.push_back({"stiffness", factor, [](Scene& s, double f) {
+                        for (Material& m : s.material) {
+                          if (m.young) *m.young *= f;
+                          if (m.shear) *m.shear *= f;
+                        }
+                      }});
+      list.push_back({"friction", factor, [](Scene& s, double f) { s.contact.friction *= f; }});
+      list.push_back({"damping", factor, [](Scene& s, double f) { *s.contact.damping_factor *= f; }});
+    }
+    return list;
+  }();
+  return all;
+}
+
+Json run_changed(const Change& change, int member) {
+  Scene scene = paper_scene("scenario_2", Reading::disc, 201 + static_cast<std::uint64_t>(member));
+  change.apply(scene, change.factor);
+  return observed(scene, "scenario_2");
+}
+
+double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws) {
+  std::mt19937_64 random(1);
+  std::vector<Json> order = members;
+  int alarms = 0;
+  for (int k = 0; k < draws; ++k) {
+    for (std::size_t i = 0; i < few; ++i) {
+      std::uniform_int_distribution<std::size_t> from(i, order.size() - 1);
+      std::swap(order[i], order[from(random)]);
+    }
+    alarms += strangeness({order.begin(), order.begin() + few}, norm) > few_limit ? 1 : 0;
+  }
+  return static_cast<double>(alarms) / draws;
+}
+
+}  // namespace furrow::studies

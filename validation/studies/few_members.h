@@ -1,0 +1,35 @@
+// A regression test on few packings: does a bed that was packed anew still behave like the ensemble? For changes that
+// move bits on purpose, so that the golden outputs cannot judge them.
+#pragma once
+
+#include "studies/members.h"
+
+namespace furrow::studies {
+
+inline constexpr int few = 5;           // members that are run
+inline constexpr double few_limit = 4;  // standard errors that the mean of a few may lie from the ensemble's
+inline const std::vector<std::string> few_observables{"surface", "mean_force", "largest_force_discs", "force_ratio"};
+
+// Of the ensemble: mean and standard deviation of each observable.
+struct Norm {
+  std::vector<double> mean, deviation;
+};
+Norm norm_of(const std::vector<Json>& ensemble);
+
+// The largest distance of the few members' means from the norm, in their standard errors.
+double strangeness(const std::vector<Json>& members, const Norm& norm);
+
+// Runs for the smallest change that a few members notice, and the table made of them.
+struct Change {
+  std::string what;
+  double factor;
+  void (*apply)(Scene&, double factor);
+};
+const std::vector<Change>& changes();
+inline constexpr int changed_members = 8;
+Json run_changed(const Change& change, int member);
+
+// How often `few` of the members, drawn at random (seeded, without replacement), look strange.
+double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws);
+
+}  // namespace furrow::studies
