@@ -201,8 +201,8 @@ Measured lattice_observable(const RunRecord& run, const std::string& name) {
   if (name == "largest_force_after_split") return {largest(c.f, after), none};
   if (name != "pieces") throw std::invalid_argument("there is no observable '" + name + "'");
   if (!none.empty()) return {.words = none};
-  return {.words = std::to_string(split.pieces.low) + " below, " + std::to_string(split.pieces.high) + " above, of " +
-                   std::to_string(run.lattices.node.count())};
+  return {static_cast<double>(split.pieces.low) / run.lattices.node.count()};
+};
 }
 
 }  // namespace

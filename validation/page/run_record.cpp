@@ -144,6 +144,7 @@ Publication read_publication(std::string_view text) {
                                        {"read", &s.read},
                                        {"observable", &s.observable},
                                        {"ours", &s.ours},
+                                       {"expect", &s.expect},
                                        {"mark", &s.mark}}) {
         *field = entry[key].value_or(std::string());
       }

@@ -60,7 +60,7 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
 
 // One thing that the paper reports; the heading of validation/statements.toml explains the fields.
 struct Statement {
-  std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words;
+  std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words, expect;
   double value = std::numeric_limits<double>::quiet_NaN();  // NaN: the paper says it in `words`
   std::optional<std::array<double, 2>> window;              // mm
   std::optional<std::array<double, 2>> holds;               // of the observable, where the paper says it in words

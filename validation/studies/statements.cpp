@@ -25,13 +25,18 @@ std::optional<std::array<double, 2>> range_of(const Statement& s) {
 
 constexpr double near = 0.1, alike = 1.0 / 3;  // of the paper's number
 
+std::string by_share(double share) {
+  if (std::isnan(share)) return "not testable";
+  return share >= 0.5 ? "reproduced" : share >= 0.05 ? "reproduced in kind" : "not reproduced";
+}
+
 // A limit is reproduced if at least half of the members keep it, in kind if one in twenty does. A number is reproduced
 // if it lies between the 5 % and 95 % quantiles or within a tenth of the median, in kind within a third of it.
 std::string verdict_of(const Statement& s, const Sample& sample) {
-  if (const auto range = range_of(s)) {
-    const double share = sample.share(*range);
-    if (std::isnan(share)) return "not testable";
-    return share >= 0.5 ? "reproduced" : share >= 0.05 ? "reproduced in kind" : "not reproduced";
+  if (const auto range = range_of(s)) return by_share(sample.share(*range));
+  if (!s.expect.empty()) {
+    const auto same = static_cast<double>(std::count(sample.words.begin(), sample.words.end(), s.expect));
+    return by_share(same / static_cast<double>(sample.members()));
   }
   if (!std::isfinite(s.value)) return "not testable";
   if (2 * sample.numbers.size() < sample.members() || sample.numbers.empty()) return "not reproduced";
