@@ -202,7 +202,6 @@ Measured lattice_observable(const RunRecord& run, const std::string& name) {
   if (name != "pieces") throw std::invalid_argument("there is no observable '" + name + "'");
   if (!none.empty()) return {.words = none};
   return {static_cast<double>(split.pieces.low) / run.lattices.node.count()};
-};
 }
 
 }  // namespace
