@@ -224,7 +224,7 @@ TEST(OrderCertificate, TheWayBackEndsWhereTheSymmetrySays) {
           "distance from the start over the overlap, " + method.name, greatest, 0,
           absolute(1e-12, "round-off of some 6000 steps of a symmetric method: 1e-16 each as a random walk is 1e-14"));
     } else {
-      const Slope slope = studies::fitted(points, &Point::position);
+      const Slope slope = studies::fitted_return(points);
       expect("order of the distance from the start, " + method.name, slope.value, *want,
              absolute(studies::tolerance_of(slope), slope_reason));
     }

@@ -9,9 +9,6 @@
 namespace furrow::studies {
 namespace {
 
-// Errors below are round-off: of positions near 0.1 m against motions of some mm.
-constexpr double round_off = 3e-13;
-
 struct Plan {
   double step;   // s; of a controlled method the longest
   int steps;     // that make up the run
@@ -120,7 +117,12 @@ bool is_controlled(const std::string& method) { return make_method(method)->info
 
 }  // namespace
 
-Slope fitted(const std::vector<Point>& points, double Point::*error, int most, double Point::*abscissa) {
+Slope fitted_return(const std::vector<Point>& points) {
+  return fitted(points, &Point::position, 9, &Point::step, 1e-12);
+}
+
+Slope fitted(const std::vector<Point>& points, double Point::*error, int most, double Point::*abscissa,
+             double round_off) {
   std::vector<std::pair<double, double>> logs;
   for (auto p = points.rbegin(); p != points.rend() && static_cast<int>(logs.size()) < most; ++p) {
     if (p->failures == 0 && (*p).*error > round_off && (*p).*error < 1.0 / 30)

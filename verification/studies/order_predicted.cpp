@@ -18,7 +18,7 @@ std::optional<Prediction> predicted(const MethodInfo& method, const Problem& pro
   if (method.controlled) return std::nullopt;
   const double p = method.order;
   Prediction prediction{std::min(p, problem.limit), std::min(p, problem.limit)};
-  prediction.most = p - problem.limit <= 0.5 ? p : prediction.position;
+  prediction.most = p - problem.limit <= problem.indistinct ? p : prediction.position;
   if (leapfrog(method, problem)) prediction.position = prediction.most = std::min(2.0, problem.limit);
   prediction.at_least = problem.speed_by_energy;
   if (problem.rebounds) {

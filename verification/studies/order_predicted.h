@@ -20,8 +20,8 @@ namespace furrow::studies {
 struct Prediction {
   double position = 0;
   double velocity = 0;
-  // If p is at most 1/2 above the limit, the two powers of h cannot be told apart at steps that can be afforded: from
-  // the limit to p.
+  // If p is little above the limit (problem.indistinct), the two powers of h cannot be told apart at steps that can be
+  // afforded: from the limit to p.
   double most = 0;
   bool at_least = false;  // the velocity's is a lower bound: the next power may have the larger factor
 };

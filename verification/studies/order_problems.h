@@ -22,6 +22,7 @@ struct Problem {
   std::string event;  // what limits the order
   // The greatest order of a method that steps over the events: a + 1.
   double limit = no_limit;
+  double indistinct = 0.5;  // a method's order p this much above the limit may still show p
   // That of the error after which an error-controlled method chooses its steps: it grades them through events that its
   // error estimate sees, not through those that the jump map makes between steps.
   bool controller_sees_it = true;

@@ -110,7 +110,7 @@ void trends_table(Report& report, const Observations& all) {
     } else {
       const auto back = [&](const char* p) -> std::string {
         const std::vector<Point> points = to_points(t[p]);
-        const Slope slope = fitted(points, &Point::position);
+        const Slope slope = fitted_return(points);
         return returns_exactly(points) ? "exact" : with_error(slope);
       };
       const auto want = predicted_return(method);
