@@ -17,7 +17,7 @@
 //
 // Rejected: Ros2 as a W-method with the damping matrix of contacts and links, factorised by sparse LDL^T. In scenes 2
 // and 3 it takes a third to an eighth of the evaluations at equal error, but an evaluation is so cheap that its solves
-// make it 4 to 6 times as slow. Sources: Sommeijer, Shampine and Verwer 1997 (J. Comput. Appl. Math. 88, 315); van der
+// make it 4 to 10 times as slow. Sources: Sommeijer, Shampine and Verwer 1997 (J. Comput. Appl. Math. 88, 315); van der
 // Houwen and Sommeijer 1980.
 #include <algorithm>
 #include <cmath>

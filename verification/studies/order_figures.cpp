@@ -23,6 +23,12 @@ std::string shown_order(double order) {
 
 namespace {
 
+// For gnuplot's enhanced text, where an underscore lowers what follows.
+std::string escaped(std::string name) {
+  for (std::size_t k = 0; (k = name.find('_', k)) != std::string::npos; k += 2) name.insert(k, "\\");
+  return name;
+}
+
 double rounded_to_6(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::fabs(value))));
@@ -115,7 +121,7 @@ Figure slopes_figure(const Observations& all) {
   }
   Json names = Json::array();
   for (std::size_t k = 0; k < drawn.size(); ++k) {
-    if (all.trends.contains(drawn[k])) names.push_back({static_cast<double>(k), 0, drawn[k]});
+    if (all.trends.contains(drawn[k])) names.push_back({static_cast<double>(k), 0, escaped(drawn[k])});
   }
   const auto order = [&](const char* method, const char* p) {
     return fixed(all.verdicts.at({method, p}).position.value, 2);
@@ -134,6 +140,7 @@ Figure slopes_figure(const Observations& all) {
 Figure energy_figure(const Observations& all, const std::vector<double>& angles) {
   Json points = Json::array(), theory = Json::array(), names = Json::array();
   double curve = 0;
+  std::vector<double> labelled;
   for (const MethodInfo& method : method_catalogue()) {
     const auto drift = predicted_drift(method.name);
     const auto found = all.trends.find(method.name);
@@ -142,18 +149,26 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
         method.name.starts_with("odeint_s") || method.name.starts_with("odeint_v"))
       continue;
     const Json& measured = found->second["drift"];
-    double last = NAN;
+    double first = 0;  // at the greatest angle
     for (std::size_t k = 0; k < angles.size(); ++k) {
       const double value = measured[k].is_number() ? measured[k].get<double>() : NAN;
       if (!(std::fabs(value) > 1e-13)) continue;
-      last = value;
+      if (k == 0) first = value;
       points.push_back({curve, angles[k], rounded_to_6(std::fabs(value)), value > 0 ? 1 : 0});
     }
     if (drift->factor != 0) {
       for (const double angle : {angles.front(), angles.back()})
         theory.push_back({curve, angle, rounded_to_6(std::fabs(drift->factor) * std::pow(angle, drift->power))});
     }
-    names.push_back({curve, rounded_to_6(std::fabs(last)), last > 0 ? 1 : 0, method.name});
+    // Labels keep a distance of a factor.
+    double at = std::fabs(first);
+    for (bool free = false; !free;) {
+      free = true;
+      for (const double other : labelled) free = free && (at > 5 * other || at < other / 5);
+      if (!free) at /= 1.5;
+    }
+    labelled.push_back(at);
+    names.push_back({curve, rounded_to_6(at), first > 0 ? 1 : 0, escaped(method.name)});
     ++curve;
   }
   Figure figure{"order_energy", "order_energy.gp", {}, "relative change of energy in a period against h omega"};

@@ -59,7 +59,6 @@ State state_of(std::array<long double, 4> q_and_v, long double spin, long double
 }
 
 Problem scaled(Problem p, double friction, double g) {
-  p.elastic = false;
   p.least_steps = 80;
   p.system = [=] { return std::make_unique<System>(floor_scene(friction, g)); };
   return p;

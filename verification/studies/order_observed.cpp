@@ -1,6 +1,7 @@
 #include "studies/order_observed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -28,7 +29,7 @@ long run_plain(const OdeSystem& system, Method& method, State& y, const Plan& pl
   long steps = 0;
   const double end = plan.steps * plan.step;
   for (double t = 0; method.info().controlled ? t < end * (1 - 1e-12) : steps < plan.steps; ++steps) {
-    t += method.step(system, t, y, method.info().controlled ? std::min(plan.step, end - t) : plan.step);
+    t += method.step(system, plan.start + t, y, method.info().controlled ? std::min(plan.step, end - t) : plan.step);
     if (!method.info().controlled) t = static_cast<double>(steps + 1) * plan.step;
     if (!std::isfinite(y[0])) throw Divergence("not finite");
   }
@@ -109,8 +110,27 @@ Point over_phases(const Problem& problem, const Series& series, const One& one) 
   return point;
 }
 
-double steps_of(const Problem& problem, const Series& series, int size) {
-  return problem.least_steps * std::pow(series.ratio, size);
+// High orders reach round-off soon: their steps lie closer.
+double steps_of(const std::string& method, const Problem& problem, const Series& series, int size) {
+  const double order = std::min<double>(make_method(method)->info().order, problem.limit);
+  return problem.least_steps * std::pow(series.ratio, size * std::min(1.0, 3 / order));
+}
+
+// A point of a fit.
+struct Place {
+  double x, step, y;  // log of the abscissa, s, log of the error
+};
+
+void centre(std::vector<Place>& places, double Place::*what) {
+  double mean = 0;
+  for (const Place& p : places) mean += p.*what / static_cast<double>(places.size());
+  for (Place& p : places) p.*what -= mean;
+}
+
+double product(const std::vector<Place>& places, double Place::*one, double Place::*other) {
+  double sum = 0;
+  for (const Place& p : places) sum += p.*one * p.*other;
+  return sum;
 }
 
 bool is_controlled(const std::string& method) { return make_method(method)->info().controlled; }
@@ -123,21 +143,32 @@ Slope fitted_return(const std::vector<Point>& points) {
 
 Slope fitted(const std::vector<Point>& points, double Point::*error, int most, double Point::*abscissa,
              double round_off) {
-  std::vector<std::pair<double, double>> logs;
-  for (auto p = points.rbegin(); p != points.rend() && static_cast<int>(logs.size()) < most; ++p) {
+  std::vector<Place> places;
+  for (auto p = points.rbegin(); p != points.rend() && static_cast<int>(places.size()) < most; ++p) {
     if (p->failures == 0 && (*p).*error > round_off && (*p).*error < 1.0 / 30)
-      logs.emplace_back(std::log((*p).*abscissa), std::log((*p).*error));
+      places.push_back({std::log((*p).*abscissa), p->step, std::log((*p).*error)});
   }
   Slope slope;
-  slope.points = static_cast<int>(logs.size());
-  if (slope.points < 4) return {NAN, NAN, slope.points};
-  double x = 0, y = 0, xx = 0, xy = 0, rest = 0;
-  for (const auto& [a, b] : logs) x += a / slope.points, y += b / slope.points;
-  for (const auto& [a, b] : logs) xx += (a - x) * (a - x), xy += (a - x) * (b - y);
+  slope.points = static_cast<int>(places.size());
+  if (slope.points < 4) return {NAN, NAN, NAN, slope.points};
+  centre(places, &Place::x);
+  centre(places, &Place::step);
+  centre(places, &Place::y);
+  const double xx = product(places, &Place::x, &Place::x), xy = product(places, &Place::x, &Place::y);
+  const double hh = product(places, &Place::step, &Place::step), hx = product(places, &Place::step, &Place::x);
+  const double hy = product(places, &Place::step, &Place::y), yy = product(places, &Place::y, &Place::y);
   slope.value = xy / xx;
-  for (const auto& [a, b] : logs) rest += std::pow(b - y - slope.value * (a - x), 2);
-  slope.error = std::sqrt(rest / (slope.points - 2) / xx);
+  slope.error = std::sqrt(std::max(0.0, yy - slope.value * xy) / (slope.points - 2) / xx);
+  const double with_next = (xy * hh - hy * hx) / (xx * hh - hx * hx);
+  slope.next = std::fabs(with_next - slope.value);
   return slope;
+}
+
+double tolerance_of(const Slope& slope) {
+  // Student's t for 99.73 %, by degrees of freedom from 2 on; JCGM 100:2008, table G.2.
+  constexpr std::array<double, 9> t{19.21, 9.22, 6.62, 5.51, 4.90, 4.53, 4.28, 4.09, 3.96};
+  if (slope.points < 4) return NAN;
+  return std::max(0.05, t[std::min<std::size_t>(slope.points - 4, t.size() - 1)] * slope.error + 2 * slope.next);
 }
 
 Slope fitted_exponent(const std::vector<Point>& points) {
@@ -161,8 +192,8 @@ std::vector<Point> observe(const std::string& method, const Problem& problem, co
     points.push_back(over_phases(problem, series, [&](OdeSystem& system, int phase) {
       // The longest step of a controlled method; on events short, or it might step over a whole contact.
       const double fewest = problem.limit == no_limit ? 2 : 10;
-      Plan plan =
-          jittered(problem, controlled ? fewest : steps_of(problem, series, size), controlled ? 0 : size, phase);
+      Plan plan = jittered(problem, controlled ? fewest : steps_of(method, problem, series, size),
+                           controlled ? 0 : size, phase);
       plan.tolerances = tolerances;
       const Ran ran = carry(system, method, placed(system, problem, plan.start), plan);
       return std::tuple(ran, problem.state(plan.start + plan.steps * static_cast<long double>(plan.step)),
@@ -177,7 +208,7 @@ std::vector<Point> observe_return(const std::string& method, const Problem& prob
   std::vector<Point> points;
   for (int size = 0; size < series.sizes; ++size) {
     points.push_back(over_phases(problem, series, [&](OdeSystem& system, int phase) {
-      const Plan plan = jittered(problem, steps_of(problem, series, size), size, phase);
+      const Plan plan = jittered(problem, steps_of(method, problem, series, size), size, phase);
       const State start = placed(system, problem, plan.start);
       const auto reverse = [&](State& y) {
         for (std::size_t i = system.positions(); i < 2 * system.positions(); ++i) y[i] = -y[i];

@@ -30,11 +30,20 @@ struct Point {
   int failures = 0;        // runs that diverged; errors are of the others
 };
 
-// log error = a + slope log step by least squares. The standard error is that of the scatter about the line.
+// log error = a + slope log step by least squares. The standard error is that of the scatter about the line. Of an
+// error C h^p (1 + D h + ...) a line over steps that can be afforded has not the slope p: `next` is how far the slope
+// moves if D h is fitted too.
 struct Slope {
   double value = 0, error = 0;
+  double next = 0;
   int points = 0;  // fewer than 4: no order can be told
 };
+
+// How far an observed order may be from the predicted one: three standard errors, by Student's t of the fit's few
+// degrees of freedom; what the next power of the step does, and as much again for the powers after it, each half of the
+// one before or less. Below 0.05, a fifth of what the closest orders to be told apart, 1 and 5/4, differ by, nothing
+// counts.
+double tolerance_of(const Slope& slope);
 
 // The points whose error (a member of Point) lies between round-off and 1/30, at most `most` of them, the finest.
 // Errors below 1e-11 may be round-off: of thousands of sums at 0.1 m, over lengths of some mm.

@@ -42,11 +42,6 @@ struct Exponents {
 };
 Exponents predicted_exponents(const MethodInfo& method, const Problem& problem);
 
-// How far an observed order may be from the predicted one: three standard errors, and `preasymptotic` for what the next
-// power of h still adds at steps that can be afforded (fits over steps ten times smaller came closer in every case).
-inline constexpr double preasymptotic = 0.15;
-inline double tolerance_of(const Slope& slope) { return 3 * slope.error + preasymptotic; }
-
 // Slopes of one method on one problem against their predictions.
 struct Verdict {
   Slope position, velocity;

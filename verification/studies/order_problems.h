@@ -27,7 +27,6 @@ struct Problem {
   // error estimate sees, not through those that the jump map makes between steps.
   bool controller_sees_it = true;
   Locate locate = Locate::none;  // as the scene's key
-  bool elastic = true;           // no force depends on a velocity
   bool from_rest = false;        // no force when it starts, and none that depends on a velocity
   bool rebounds = false;         // leaves an elastic contact before it ends
   bool speed_by_energy = false;  // the speed at the end follows from the energy alone, which may err by less

@@ -62,7 +62,6 @@ State swinging(long double zeta, long double t) {
 
 Problem spring(double zeta, const std::string& name, const std::string& title) {
   Problem p{name, title, "none"};
-  p.elastic = zeta == 0;
   p.unit = static_cast<double>(1 / omega);
   p.duration = 6 * p.unit;
   p.earliest = 0.5;
@@ -74,11 +73,40 @@ Problem spring(double zeta, const std::string& name, const std::string& title) {
   return p;
 }
 
+// x'' = -x + 3 cos 2t, in units of 1/omega: x = (x0 + 1) cos t + v0 sin t - cos 2t. The only force here that depends on
+// time: a stage at the wrong time shows in no other.
+class DrivenSpring final : public OdeSystem {
+ public:
+  std::size_t size() const override { return 2; }
+  std::size_t positions() const override { return 1; }
+  void rhs(double t, const State& y, State& dydt) const override {
+    dydt[0] = y[1];
+    dydt[1] = -y[0] + 3 * std::cos(2 * t);
+  }
+};
+
+Problem driven() {
+  Problem p{"driven_spring", "driven spring", "none"};
+  p.duration = 3;
+  p.earliest = 0.5;
+  p.length = 2.5;  // as far and as fast as it gets, in units
+  p.speed = 3.5;
+  p.least_steps = 64;
+  p.system = [] { return std::make_unique<DrivenSpring>(); };
+  p.state = [](long double t) -> State {
+    const long double x0 = 0.5L, v0 = 0.3L;
+    const long double c = std::cos(t), s = std::sin(t);
+    return {static_cast<double>((x0 + 1) * c + v0 * s - std::cos(2 * t)),
+            static_cast<double>(v0 * c - (x0 + 1) * s + 2 * std::sin(2 * t))};
+  };
+  return p;
+}
+
 Problem tear(bool located) {
   constexpr long double slip = 2.0L / 3;  // strength over that of the greatest stretch
   const long double torn = std::asin(slip) / omega;
   Problem p{"tear", "tear", "the spring's force jumps to zero, seen at the end of a step", 1};
-  if (located) p = {"located_tear", "tear, located", "the step ends at the tear, on a cubic through it", 4};
+  if (located) p = {"located_tear", "located tear", "the step ends at the tear, on a cubic through it", 4};
   if (located) p.locate = Locate::tears;
   if (located) p.indistinct = 1;  // the cubic errs by h^4/384
   p.controller_sees_it = p.speed_by_energy = located;
@@ -130,7 +158,6 @@ Numbers lattice_rate(const Numbers& y) {
 
 Problem lattice() {
   Problem p{"lattice", "lattice", "none"};
-  p.elastic = false;
   p.unit = static_cast<double>(1 / omega);
   p.duration = 4 * p.unit;
   p.earliest = 0.5;
@@ -153,7 +180,11 @@ Problem lattice() {
 }  // namespace
 
 std::vector<Problem> spring_problems() {
-  return {spring(0, "spring", "spring"), spring(0.2, "damped_spring", "damped spring"), lattice(), tear(false),
+  return {spring(0, "spring", "spring"),
+          spring(0.2, "damped_spring", "damped spring"),
+          driven(),
+          lattice(),
+          tear(false),
           tear(true)};
 }
 
