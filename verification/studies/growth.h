@@ -27,7 +27,7 @@ class Growth {
   bool seen() const {
     const bool above_round_off = last_ > 1e-2 * start_;  // which swings by itself
     const bool grew = last_ > third_ * std::exp(rate_ * steps_ / 4);
-    const bool full_grown = third_ > 1e3 * start_ && last_ > third_ / 2;  // as far as clipping and friction let it
+    const bool full_grown = third_ > 1e2 * start_ && last_ > third_ / 2;  // as far as clipping and friction let it
     return over_ || (above_round_off && (grew || full_grown));
   }
 

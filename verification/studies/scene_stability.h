@@ -22,6 +22,7 @@ struct Standing {
   Eigen::VectorXcd values{};       // 1/s, see spectrum()
   std::complex<double> fastest{};  // the eigenvalue that limits the paper's method
   Driver driver{};                 // of its motion
+  double own_growth = 0;           // 1/s, at which small changes of the scene grow by themselves; 0 if they do not
 };
 
 // `dense`: see spectrum().
@@ -45,8 +46,8 @@ struct StableStep {
 double predicted_step(const Standing& s, const std::string& method);
 
 // The solver's right-hand side and the method itself, time held still:  e' = f(t0, y0 + e) - f(t0, y0)  from a small
-// random e. The step counts as unstable if the change in a step grows over two thousand steps, see growth.h. No jump
-// takes part.
+// random e. The step counts as unstable if the change in a step grows over two thousand steps beyond the scene's own
+// growth, see growth.h. No jump takes part.
 double measured_step(const Standing& s, const std::string& method, double guess);
 
 // What becomes of the scene as it runs, with all jumps, for `steps` steps of h from here. Friction and clipping bound
