@@ -1,6 +1,6 @@
 # Observed and predicted orders, methods by kinds of force. Given: width, height (in cells), blocks cells (column row order
 # missed text; order -1: the method cannot carry it), wanted (column row text), columns (column 0 title), rows (0 row name).
-names = 3.3  # cells
+names = 5.2  # cells
 room = 0.7
 
 heads = 3.1
