@@ -47,6 +47,7 @@ struct StudyOptions {
   std::string directory = "studies";
   bool quick = false;
   unsigned jobs = 0;  // 0: as many as there are processors
+  bool few = false;   // of the ensemble: a few packings, compared with the kept result in `directory`
 };
 int study_command(const StudyOptions& options);
 

@@ -109,6 +109,7 @@ int parse_and_run(int argc, char** argv) {
   auto* study = add_study_options(app.add_subcommand("study", "run a study; without a name: list the studies"));
   study->add_option("name", studied.name, "name of the study");
   auto* ensemble = add_study_options(app.add_subcommand("ensemble", "study ensemble: the scenes over many packings"));
+  ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
   auto* statements = add_study_options(app.add_subcommand("statements", "study statements: the paper, judged"));
 
   GoldenRequest asked;

@@ -6,6 +6,7 @@
 
 #include "program/commands.h"
 #include "program/progress.h"
+#include "studies/few_members.h"
 #include "studies/golden.h"
 
 namespace furrow {
@@ -25,6 +26,10 @@ int study_command(const StudyOptions& options) {
   studies::Settings settings{.quick = options.quick, .directory = options.directory};
   settings.jobs = options.jobs > 0 ? options.jobs : processors();
   settings.progress = [&](double done, double total) { return progress.show(options.name, "running", done, total); };
+  if (options.few) {
+    const auto say = [](const std::string& line) { std::printf("%s\n", line.c_str()); };
+    return studies::check_few(settings, say) ? good : check_failed;
+  }
   const std::vector<std::string> refuted = studies::run_study(options.name, settings);
   std::printf("%s/%s.json\n", options.directory.c_str(), options.name.c_str());
   for (const std::string& claim : refuted) progress.say("furrow: does not hold: " + claim);

@@ -1,6 +1,6 @@
 // Prints one line "scene hash" for a short run of each scene of the paper and some others, settled and moved for a
 // while with everything on. Built with other compilers and flags, and run with other settings of the neighbour search,
-// it must print the same lines.  Usage: state_hashes DIRECTORY_OF_SCENES
+// it must print the same lines.  Usage: state_hashes DIRECTORY_OF_SCENES [brute_force]
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -50,13 +50,15 @@ void print(const char* name, const char* variant, const Scene& scene) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: state_hashes DIRECTORY_OF_SCENES\n");
+  const bool brute_force = argc == 3 && std::string(argv[2]) == "brute_force";
+  if (argc != 2 && !brute_force) {
+    std::fprintf(stderr, "usage: state_hashes DIRECTORY_OF_SCENES [brute_force]\n");
     return 2;
   }
   const std::filesystem::path directory = argv[1];
   for (const char* name : {"scenario_1", "scenario_2", "scenario_3", "single_spring", "disc_on_wall", "cantilever"}) {
     Scene scene = shortened(furrow::read_scene(directory / (std::string(name) + ".toml")));
+    if (brute_force) scene.search.mode = furrow::SearchMode::brute_force;
     if (std::string(name) == "scenario_1") scene.time.end = 0.6;  // until links have torn
     print(name, "pece", scene);
     Scene chosen = scene;  // steps that the method chooses, tears located

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <random>
+#include <stdexcept>
 
 namespace furrow::studies {
 
@@ -63,6 +65,33 @@ double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws)
     alarms += strangeness({order.begin(), order.begin() + few}, norm) > few_limit ? 1 : 0;
   }
   return static_cast<double>(alarms) / draws;
+}
+
+bool check_few(const Settings& settings, const std::function<void(const std::string&)>& say) {
+  const std::filesystem::path file = settings.directory / "ensemble.json";
+  std::ifstream stream(file);
+  const Json kept = stream ? Json::parse(stream, nullptr, false) : Json();
+  const char* group = "scenario_2 disc";
+  if (!kept.is_object() || !kept.contains("data") || !kept["data"]["members"].contains(group))
+    throw std::runtime_error(file.string() + ": no result of an ensemble; make one by: furrow ensemble --out " +
+                             settings.directory.string());
+  const Json& list = kept["data"]["members"][group];
+  const Norm norm = norm_of({list.begin(), list.end()});
+  std::vector<Task> tasks;
+  for (std::uint64_t seed = 101; seed < 101 + few; ++seed)
+    tasks.push_back({"few " + std::to_string(seed),
+                     [seed] { return observed(paper_scene("scenario_2", Reading::disc, seed), "scenario_2"); }});
+  Settings running = settings;
+  running.directory.clear();
+  const std::vector<Json> got = run_tasks("few", running, tasks);
+  for (std::size_t k = 0; k < few_observables.size(); ++k)
+    say(few_observables[k] + ": " + three_digits(sample_of(few_observables[k], got).mean()) + ", ensemble " +
+        three_digits(norm.mean[k]) + " with standard deviation " + three_digits(norm.deviation[k]));
+  const double strange = strangeness(got, norm);
+  const bool alike = strange <= few_limit;
+  say(std::to_string(few) + " packings lie within " + three_digits(strange) + " standard errors, " +
+      three_digits(few_limit) + " are allowed: " + (alike ? "like the ensemble" : "NOT like the ensemble"));
+  return alike;
 }
 
 }  // namespace furrow::studies

@@ -32,4 +32,9 @@ Json run_changed(const Change& change, int member);
 // How often `few` of the members, drawn at random (seeded, without replacement), look strange.
 double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws);
 
+// Runs a few packings that are not in the ensemble and compares them with its result in settings.directory, a line an
+// observable. Returns whether they are like it. Throws std::runtime_error if there is no result to compare with,
+// Interrupted.
+bool check_few(const Settings& settings, const std::function<void(const std::string&)>& say);
+
 }  // namespace furrow::studies
