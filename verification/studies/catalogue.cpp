@@ -13,6 +13,7 @@ const std::vector<Study>& catalogue() {
       {"ensemble", "the paper's numbers over many packings of the bed", ensemble},
       {"statements", "the paper, sentence by sentence; gaps and misprints tried both ways", statements},
       {"outlook", "what the paper leaves to later: speed of the plate, size of the particles", outlook},
+      {"speed", "what scripts/rivals and scripts/track have measured, put together for the page", speed},
   };
   return all;
 }

@@ -14,5 +14,6 @@ Json convergence(const Settings& settings);
 Json ensemble(const Settings& settings);
 Json statements(const Settings& settings);
 Json outlook(const Settings& settings);
+Json speed(const Settings& settings);
 
 }  // namespace furrow::studies
