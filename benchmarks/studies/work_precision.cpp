@@ -137,7 +137,7 @@ void add_gains(Report& report, const std::vector<Found>& all) {
     const Point* paper = paper_point(f);
     std::vector<std::pair<std::string, double>> asked;
     if (paper)
-      asked.emplace_back("the paper's, " + shown(paper->error_by(f.info.by_force)), paper->error_by(f.info.by_force));
+      asked.emplace_back(shown(paper->error_by(f.info.by_force)) + ", the paper's", paper->error_by(f.info.by_force));
     for (const double target : targets) asked.emplace_back(shown(target), target);
     for (const auto& [words, error] : asked) {
       std::vector<Json> row{f.info.name, words};
@@ -147,7 +147,7 @@ void add_gains(Report& report, const std::vector<Found>& all) {
         const double own = paper && error == paper->error_by(f.info.by_force)
                                ? paper->*cost
                                : cost_at(paper_ladder(f), error, f.info.by_force, cost);
-        row.emplace_back(blind ? "below what the references resolve" : best.method.empty() ? "none" : best.method);
+        row.emplace_back(blind ? "not resolved" : best.method.empty() ? "none" : best.method);
         row.push_back(number_or_dash(best.cost));
         row.push_back(number_or_dash(own / best.cost));
       }
@@ -157,7 +157,8 @@ void add_gains(Report& report, const std::vector<Found>& all) {
   report.table(
       "The cheapest method at an error, and how many times dearer the paper's method is there. At the paper's "
       "own error that is the paper's setting, pece at 1e-4 s. A method must keep the error with every finer "
-      "setting; costs between two settings are read off the straight line in logarithms.",
+      "setting; costs between two settings are read off the straight line in logarithms. Not resolved: below what the "
+      "references tell apart.",
       {"scene", "error", "fewest evaluations", "evaluations", "gain", "least CPU", "CPU [s]", "gain"}, rows);
 }
 
@@ -194,8 +195,8 @@ void add_predictability(Report& report, const std::vector<Found>& all) {
       {"scene", "watched [s]", "grown, times", "1e-9 apart [s]", "1e-6 apart [s]", "1e-3 apart [s]"}, rows);
 }
 
-// Why no method with a bounded stable interval can be much cheaper: of the fixed-step methods Euler's covers most of the
-// negative real axis an evaluation, 2 (see the stability study; Hairer and Wanner, Solving Ordinary Differential
+// Why no method with a bounded stable interval can be much cheaper: of the fixed-step methods Euler's covers most of
+// the negative real axis an evaluation, 2 (see the stability study; Hairer and Wanner, Solving Ordinary Differential
 // Equations II, section IV.2).
 void add_bound(Report& report, const Found& f, double papers) {
   const Case scene = make_case(f.info);

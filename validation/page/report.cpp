@@ -78,13 +78,16 @@ void write_report(const std::filesystem::path& out, const std::vector<ReportedRu
                           (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
     scenes += scene_section(run, paper, out);
   }
+  const StudyPlace before = StudyPlace::before_scenes, after = StudyPlace::after_scenes;
   OutputFile page(out / "index.html");
   page << filled(figure_file("page.html"), {{"style", figure_file("page.css")},
                                             {"paper", escaped(paper.title)},
                                             {"contents", contents},
                                             {"scenes", scenes},
-                                            {"study_contents", study_contents(evidence.studies)},
-                                            {"studies", study_sections(evidence.studies, out)},
+                                            {"first_contents", study_contents(evidence.studies, before)},
+                                            {"first_study", study_sections(evidence.studies, before, out)},
+                                            {"study_contents", study_contents(evidence.studies, after)},
+                                            {"studies", study_sections(evidence.studies, after, out)},
                                             {"verification", verification_section(evidence)},
                                             {"made", how_made(runs)}});
   page.finish();

@@ -24,14 +24,18 @@ struct Result {
   ordered_json json;
 };
 
-// In the order in which a reader wants them; others follow by name.
-constexpr std::array<std::string_view, 4> usual_order{"order", "stability", "work_precision", "need"};
+// In the order in which a reader wants them; others follow by name. The first comes before the scenes: it says how
+// their numbers are to be taken.
+constexpr std::array<std::string_view, 10> usual_order{"convergence", "statements", "ensemble",  "geometry",
+                                                       "outlook",     "order",      "stability", "work_precision",
+                                                       "need",        "speed"};
 
-std::vector<Result> results_in(const fs::path& directory) {
+std::vector<Result> results_in(const fs::path& directory, StudyPlace place_on_page) {
   std::vector<Result> results;
   if (directory.empty() || !fs::is_directory(directory)) return results;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-    if (entry.path().extension() != ".json") continue;
+    const bool first = entry.path().stem() == usual_order[0];
+    if (entry.path().extension() != ".json" || first != (place_on_page == StudyPlace::before_scenes)) continue;
     std::ifstream stream(entry.path());
     try {
       results.push_back({entry.path().stem(), ordered_json::parse(stream)});
@@ -48,9 +52,16 @@ std::vector<Result> results_in(const fs::path& directory) {
 
 std::string text(const ordered_json& entry, const char* key) { return escaped(entry.at(key).get<std::string>()); }
 
+// Long names may break at their underscores.
+std::string breakable(const std::string& words) {
+  std::string html;
+  for (const char c : escaped(words)) html += c == '_' ? std::string("_<wbr>") : std::string(1, c);
+  return html;
+}
+
 std::string cell(const ordered_json& value) {
   if (value.is_number()) return element("td", shown(value.get<double>()), "number");
-  return element("td", value.is_string() ? escaped(value.get<std::string>()) : missing);
+  return element("td", value.is_string() ? breakable(value.get<std::string>()) : missing);
 }
 
 // A column whose first row is a number is set to the right, its heading too.
@@ -121,17 +132,17 @@ std::string claims_of(const ordered_json& claims) {
 
 }  // namespace
 
-std::string study_contents(const fs::path& directory) {
+std::string study_contents(const fs::path& directory, StudyPlace place) {
   std::string lines;
-  for (const Result& result : results_in(directory)) {
+  for (const Result& result : results_in(directory, place)) {
     lines += element("li", "<a href=\"#study_" + result.name + "\">" + text(result.json, "title") + "</a>");
   }
   return lines;
 }
 
-std::string study_sections(const fs::path& directory, const fs::path& out) {
+std::string study_sections(const fs::path& directory, StudyPlace place, const fs::path& out) {
   std::string sections;
-  for (const Result& result : results_in(directory)) {
+  for (const Result& result : results_in(directory, place)) {
     const ordered_json& json = result.json;
     std::string html = element("h2", text(json, "title")) + element("p", text(json, "question"), "lead");
     html += claims_of(json.at("claims"));
