@@ -15,9 +15,11 @@ std::set<std::string> texts(const toml::node_view<const toml::node> list) {
 
 Fault fault_of(const toml::table& entry, bool constant) {
   const auto text = [&](const char* key) { return entry[key].value_or<std::string>(""); };
-  return {
-      text("name"), text("says"), {text("file"), text("old"), text("new")}, constant, entry["rebuild"].value_or(false),
-      text("quick")};
+  Fault fault{text("name"), text("says"), {text("file"), text("old"), text("new")}, constant};
+  fault.rebuild = entry["rebuild"].value_or(false);
+  fault.on_all = entry["on_all"].value_or(false);
+  fault.quick = text("quick");
+  return fault;
 }
 
 }  // namespace

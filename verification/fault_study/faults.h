@@ -15,7 +15,8 @@ struct Fault {
   std::string name, says;
   Change change;  // of a constant with the word CHANGE in new_text
   bool constant = false, rebuild = false;
-  std::string quick;  // not empty: the page that shows it in the quick study
+  bool on_all = false;  // every test is run, whatever notices it
+  std::string quick;    // not empty: the page that shows it in the quick study
 };
 
 // faults.toml.

@@ -203,7 +203,8 @@ class Study {
     ordered_json result = head_of(fault);
     const auto concerned = [&](const std::string& file) { return fault.change.file.find(file) == 0; };
     const auto& files = faults_.methods_files;
-    const Turn last = std::any_of(files.begin(), files.end(), concerned) ? Turn::methods : Turn::always;
+    const bool of_methods = std::any_of(files.begin(), files.end(), concerned);
+    const Turn last = fault.on_all ? Turn::costly : of_methods ? Turn::methods : Turn::always;
     try {
       if (fault.constant) {
         smallest_noticed(workshop, pages, fault.change, result);
