@@ -101,6 +101,13 @@ class ImplicitEuler final : public Method {
   Differences differences_;
 };
 
+// The method is RODAS. Boost has its gamma_4, the factor of df/dt in the fourth stage, with the wrong sign: second order
+// where a force depends on time. It is -0.0362: Hairer and Wanner 1996, section IV.7, and what the other
+// coefficients demand, 4 gamma_4 = 1 + c41 gamma_1 + c42 gamma_2 + c43 gamma_3.
+struct Rodas : odeint::default_rosenbrock_coefficients<double> {
+  const double d4 = -default_rosenbrock_coefficients::d4;  // hides that of the base
+};
+
 // Step control as by Hairer and Wanner 1996, section IV.7, in the root mean square of the numbers that count;
 // rosenbrock4_controller would let the energy ledger steer. The stepper does not look whether its matrix is singular:
 // what then comes out is not finite, and rejected.
@@ -110,8 +117,10 @@ class Rosenbrock4 final : public ControlledOdeint {
       : ControlledOdeint(std::move(info), tolerances), tolerances_(tolerances) {}
 
  private:
+  using Stepper = odeint::rosenbrock4<double, Rodas>;
+
   void begin(const OdeSystem& /*system*/, double /*t*/, const State& y) override {
-    if (y.size() != x_.size()) stepper_ = std::make_unique<odeint::rosenbrock4<double>>();
+    if (y.size() != x_.size()) stepper_ = std::make_unique<Stepper>();
     for (Vector* room : {&x_, &after_, &error_}) room->resize(y.size(), false);
     std::copy(y.begin(), y.end(), x_.begin());
   }
@@ -142,7 +151,7 @@ class Rosenbrock4 final : public ControlledOdeint {
   }
 
   Tolerances tolerances_;
-  std::unique_ptr<odeint::rosenbrock4<double>> stepper_;
+  std::unique_ptr<Stepper> stepper_;
   Vector x_, after_, error_;
   Differences differences_;
 };

@@ -187,6 +187,25 @@ TEST(OdeintControlled, OrderOfTheFormula) {
   }
 }
 
+// v' = 4 t^3: exact for a formula of order 4 or more whose stages stand at the right times. What remains of rosenbrock4
+// is its difference quotient for df/dt, off by 2^-26 t/2 12 t = 1e-7 or less.
+struct CubicInTime final : OdeSystem {
+  std::size_t size() const override { return 2; }
+  std::size_t positions() const override { return 1; }
+  void rhs(double t, const State& /*y*/, State& dydt) const override {
+    dydt[0] = 0;
+    dydt[1] = 4 * t * t * t;
+  }
+};
+
+TEST(OdeintControlled, AForceOfTimeIsSeenAtTheRightTimes) {
+  for (const MethodInfo& info : controlled_methods()) {
+    State y{0, 0};
+    ASSERT_EQ(make_method(info.name, tolerances_of(1e6, 1))->step(CubicInTime(), 0.5, y, 1), 1) << info.name;
+    EXPECT_NEAR(y[1], 1.5 * 1.5 * 1.5 * 1.5 - 0.5 * 0.5 * 0.5 * 0.5, info.dense_jacobian ? 1e-7 : 1e-14) << info.name;
+  }
+}
+
 // Runs to `end` and returns how many steps it took.
 int run_controlled(Method& method, const OdeSystem& system, State& y, double end, double most = 10) {
   double t = 0;
