@@ -101,8 +101,8 @@ class ImplicitEuler final : public Method {
   Differences differences_;
 };
 
-// The method is RODAS. Boost has its gamma_4, the factor of df/dt in the fourth stage, with the wrong sign: second order
-// where a force depends on time. It is -0.0362: Hairer and Wanner 1996, section IV.7, and what the other
+// The method is RODAS. Boost has its gamma_4, the factor of df/dt in the fourth stage, with the wrong sign: second
+// order where a force depends on time. It is -0.0362: Hairer and Wanner 1996, section IV.7, and what the other
 // coefficients demand, 4 gamma_4 = 1 + c41 gamma_1 + c42 gamma_2 + c43 gamma_3.
 struct Rodas : odeint::default_rosenbrock_coefficients<double> {
   const double d4 = -default_rosenbrock_coefficients::d4;  // hides that of the base
