@@ -82,7 +82,8 @@ Json add_few(Report& report, const std::vector<Json>& members, const std::vector
               " numbers (height of the settled bed, mean force, largest force, force ratio) lies more than " +
               three_digits(few_limit) +
               " standard errors from the ensemble's. With the norm made of one half of the ensemble, " +
-              three_digits(100 * false_alarms) + " % of the draws from the other half fail.");
+              three_digits(100 * false_alarms) +
+              " % of the draws from the other half fail. A packing that does not run to its end fails it always.");
   report.table("How often a change of the model makes it fail, by drawing " + std::to_string(few) + " of " +
                    std::to_string(changed_members) + " packings.",
                {"changed", "by", "noticed [%]", "so"}, rows);

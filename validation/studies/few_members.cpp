@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <stdexcept>
 
@@ -55,7 +56,10 @@ Json run_changed(const Change& change, int member) {
 
 double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws) {
   std::mt19937_64 random(1);
-  std::vector<Json> order = members;
+  std::vector<Json> order;
+  std::copy_if(members.begin(), members.end(), std::back_inserter(order),
+               [](const Json& member) { return !member.contains("failed"); });
+  if (order.size() < few) return 1;
   int alarms = 0;
   for (int k = 0; k < draws; ++k) {
     for (std::size_t i = 0; i < few; ++i) {

@@ -29,7 +29,8 @@ const std::vector<Change>& changes();
 inline constexpr int changed_members = 8;
 Json run_changed(const Change& change, int member);
 
-// How often `few` of the members, drawn at random (seeded, without replacement), look strange.
+// How often `few` of the members that came to their end, drawn at random (seeded, without replacement), look strange; 1
+// if there are fewer. A member that does not come to its end is no matter of chance: it is told apart.
 double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws);
 
 // Runs a few packings that are not in the ensemble and compares them with its result in settings.directory, a line an
