@@ -3,7 +3,9 @@
 // how far a number moves when the start is nudged by far less than any step's error tells what no step can settle.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "output/files.h"
 #include "studies/beds.h"
 #include "studies/catalogue.h"
 #include "studies/observed_run.h"
@@ -149,6 +151,11 @@ std::string text_of(double step) {
   return text;
 }
 
+// Whole newtons: "1135", not "1.13e+03".
+std::string rounded(double force) {
+  return force >= 100 ? std::to_string(std::lround(force)) : number(std::round(10 * force) / 10);
+}
+
 Json cell(const Results& results, const One& one, const std::string& id) {
   if (results.failed(one)) return "diverged";
   const double value = results.value(one, id);
@@ -158,6 +165,11 @@ Json cell(const Results& results, const One& one, const std::string& id) {
 // Adds the table of a case; counts what does not depend on the step at the paper's.
 struct Tally {
   int numbers = 0, settled = 0, at_papers_step = 0;
+  void add(const Tally& other) {
+    numbers += other.numbers;
+    settled += other.settled;
+    at_papers_step += other.at_papers_step;
+  }
 };
 
 Tally add_case(Report& report, const Results& results, const Plan& plan, const Case& c) {
@@ -221,26 +233,33 @@ Json convergence(const Settings& settings) {
       "Each scene runs from one and the same start at steps from twice the paper's to a fiftieth of it, and by other "
       "methods. A number stands if it no longer changes when the step is made finer, by more than 2 % or than "
       "what a nudge of 1e-9 m/s to one body at the start does to it.");
+  Report details("", "");  // behind the figure
   Json blocks = Json::object();
   Tally all;
+  std::map<std::string, Tally> by_reading;
   for (const Case& c : plan.cases) {
     const std::string id = largest_force_of(c.scene);
     const double at_papers = results.value({c, "pece", papers_step}, id);
     const double finest = results.value({c, "pece", plan.steps.back()}, id);
     if (std::isfinite(finest)) {
-      char text[256];
-      std::snprintf(text, sizeof text, "%s: the largest force is %.3g N at the paper's step and %.3g N at %s.",
-                    c.name().c_str(), at_papers, finest, text_of(plan.steps.back()).c_str());
-      report.text(std::isfinite(at_papers) ? text : c.name() + ": diverges at the paper's step.");
+      report.text(c.name() + (std::isfinite(at_papers)
+                                  ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
+                                        rounded(finest) + " N at " + text_of(plan.steps.back()) + "."
+                                  : ": diverges at the paper's step."));
     }
+    const Tally tally = add_case(details, results, plan, c);
+    all.add(tally);
+    by_reading[c.scene == "scenario_1" ? "scene 1" : "scenes 2 and 3, " + to_string(c.reading) + "s"].add(tally);
+    blocks["forces_" + c.scene.substr(9) + "_" + to_string(c.reading)] =
+        forces_by_step(results, plan, c, largest_force_of(c.scene));
   }
-  for (const Case& c : plan.cases) {
-    const Tally tally = add_case(report, results, plan, c);
-    all.numbers += tally.numbers;
-    all.at_papers_step += tally.at_papers_step;
-    std::string block = c.scene.substr(9) + "_" + to_string(c.reading);
-    blocks["forces_" + block] = forces_by_step(results, plan, c, largest_force_of(c.scene));
-  }
+  for (const auto& [reading, tally] : by_reading)
+    report.text("In plain words, for " + reading + ": " + std::to_string(tally.settled) + " of " +
+                std::to_string(tally.numbers) +
+                " numbers settle when the step is made fine enough, and so are numbers of the model; " +
+                std::to_string(tally.at_papers_step) +
+                " are settled at the paper's step already, the others there are "
+                "numbers of the step.");
   if (!settings.quick) {
     report.figure(
         {.name = "convergence",
@@ -253,6 +272,7 @@ Json convergence(const Settings& settings) {
          .description = "Largest force on the plate against the time step for each scene and reading of the mass",
          .blocks = blocks});
   }
+  report.append(details);
   report.claim("At the paper's step some of its numbers are numbers of the step, not of the model.",
                all.at_papers_step < all.numbers);
   return report.json();

@@ -52,7 +52,7 @@ double worst_deviation(const AtlasEntry& e) {
 Json limit_at(const AtlasEntry& e, double zeta) {
   for (const AtlasLimit& l : e.limits)
     if (l.zeta == zeta) return l.theory < 100 ? Json(l.theory) : Json("any");
-  return nullptr;
+  return "–";
 }
 
 Figure atlas_figure(const std::vector<AtlasEntry>& atlas, const std::vector<OperatingPoint>& points) {
@@ -61,7 +61,9 @@ Figure atlas_figure(const std::vector<AtlasEntry>& atlas, const std::vector<Oper
   int k = 0;
   for (const AtlasEntry& e : atlas) {
     const std::string n = std::to_string(++k);
-    figure.variables["title_" + n] = e.methods.front();
+    std::string title = e.methods.front();  // "odeint_symplectic_rkn_sb3a_mclachlan" would not fit
+    if (const auto at = title.find("symplectic_rkn_"); at != std::string::npos) title.erase(at, 15);
+    figure.variables["title_" + n] = title;
     figure.blocks["theory_" + n] = boundary_of(*scheme_of(e.methods.front()));
     Json measured = Json::array();
     for (const AtlasLimit& l : e.limits) measured.push_back({at(l.zeta), l.spring, l.contact});
@@ -166,9 +168,9 @@ void report_atlas(Report& report, const std::vector<AtlasEntry>& atlas, const st
   int measured = 0;
   for (const AtlasEntry& e : atlas) {
     rows.push_back({joined(e.methods),
-                    e.by_eigenvalue ? (e.real_axis < 100 ? Json(e.real_axis) : Json("any")) : Json(nullptr),
-                    limit_at(e, 0), limit_at(e, 0.01), limit_at(e, 0.1), limit_at(e, 0.5), limit_at(e, 1),
-                    limit_at(e, 5), percent(worst_deviation(e))});
+                    e.by_eigenvalue ? (e.real_axis < 100 ? Json(e.real_axis) : Json("any")) : Json("–"), limit_at(e, 0),
+                    limit_at(e, 0.01), limit_at(e, 0.1), limit_at(e, 0.5), limit_at(e, 1), limit_at(e, 5),
+                    percent(worst_deviation(e))});
     if (worst_deviation(e) > worst) worst = worst_deviation(e), worst_of = e.methods.front();
     measured += 2 * static_cast<int>(e.limits.size());
   }

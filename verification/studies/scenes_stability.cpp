@@ -222,7 +222,7 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes) {
     if (s.name.find("scene 2") != 0) continue;
     const double ratio = s.own_step / step_of(s, "pece")->measured;
     report.claim(s.name + ": the paper's step is " + with_digits(ratio, 2) +
-                     " times the largest stable one of its method, and " + with_digits(100 * s.books.share(), 2) +
+                     " times the largest stable one of its method, and " + with_digits(100 * s.books.share(), 3) +
                      " % of the energy handled is made up.",
                  ratio > 1);
   }

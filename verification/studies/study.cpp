@@ -147,6 +147,13 @@ Report& Report::claim(const std::string& text, bool holds) {
   return *this;
 }
 
+Report& Report::append(const Report& other) {
+  for (const char* list : {"parts", "claims"}) {
+    for (const Json& one : other.json_.at(list)) json_[list].push_back(one);
+  }
+  return *this;
+}
+
 Report& Report::data(Json data) {
   json_["data"] = std::move(data);
   return *this;

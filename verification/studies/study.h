@@ -56,6 +56,8 @@ class Report {
   Report& figure(Figure figure);
   // A claim of the study that its numbers bear out or not.
   Report& claim(const std::string& text, bool holds);
+  // The parts and claims of another report.
+  Report& append(const Report& other);
   // What is not for the eye: all numbers behind the tables and figures.
   Report& data(Json data);
   // With provenance: commit, compiler, flags, machine.
