@@ -171,13 +171,14 @@ std::set<std::string> Workshop::failing_tests(const Page& page) {
   return failing;
 }
 
-// A page has a minute of the processor for what takes seconds. A test that neither failed nor passed brought the page
-// down.
+// A page has a minute of the processor for what takes seconds, the costly tests have four for one. A test that neither
+// failed nor passed brought the page down.
 std::set<std::string> Workshop::run(const Page& page) const {
   std::string filter;
   for (const std::string& test : page.tests) filter += (filter.empty() ? "" : ":") + test;
   const fs::path log = home_ / "run.log";
-  succeeds("ulimit -t 60; ulimit -v 4000000; FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
+  succeeds("ulimit -t " + std::string(page.turn == Turn::costly ? "240" : "60") +
+               "; ulimit -v 4000000; FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
                quoted(home_ / "build" / target_) + " --gtest_filter=" + filter,
            log);
   const std::string text = text_of(log);
