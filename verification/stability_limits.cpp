@@ -5,6 +5,8 @@
 //   calls nothing of src/methods)
 //
 // Limits in the literature: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations II, IV.2 and V.1.
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 
@@ -147,7 +149,8 @@ const Sides sides[] = {
 
 TEST(StabilityLimits, RunsHoldBelowTheLimitAndAreCaughtAboveIt) {
   requirement("stability.caught");
-  const std::filesystem::path out = std::filesystem::temp_directory_path() / "furrow_stability_sides";
+  const std::filesystem::path out =
+      std::filesystem::temp_directory_path() / ("furrow_stability_sides_" + std::to_string(getpid()));
   for (const Sides& side : sides) {
     Scene scene = side.scene == "resting disc" ? contact_oscillation(0).scene : scene_file(side.scene);
     scene.output.energy = true;

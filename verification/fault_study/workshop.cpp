@@ -177,8 +177,10 @@ std::set<std::string> Workshop::run(const Page& page) const {
   std::string filter;
   for (const std::string& test : page.tests) filter += (filter.empty() ? "" : ":") + test;
   const fs::path log = home_ / "run.log";
-  succeeds("ulimit -t " + std::string(page.turn == Turn::costly ? "240" : "60") +
-               "; ulimit -v 4000000; FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
+  fs::remove_all(home_ / "tmp");  // a page that was killed leaves its files
+  fs::create_directories(home_ / "tmp");
+  succeeds("ulimit -t " + std::string(page.turn == Turn::costly ? "240" : "60") + "; ulimit -v 4000000; TMPDIR=" +
+               quoted(home_ / "tmp") + " FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
                quoted(home_ / "build" / target_) + " --gtest_filter=" + filter,
            log);
   const std::string text = text_of(log);
