@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
+#include "page/faults.h"
 #include "page/gnuplot.h"
 #include "page/html.h"
 
@@ -79,62 +79,6 @@ std::string checks_part(const std::filesystem::path& file) {
   return html;
 }
 
-std::string suite_of(const std::string& test) { return test.substr(0, test.find('.')); }
-
-// Faults by test suites: how many tests of a suite notice a fault.
-std::string fault_matrix(const std::vector<ordered_json>& faults) {
-  std::set<std::string> suites;
-  for (const ordered_json& fault : faults) {
-    for (const auto& test : fault.at("failed")) suites.insert(suite_of(test.get<std::string>()));
-  }
-  std::string head = "<th>Fault</th>";
-  for (const std::string& suite : suites) head += "<th class=\"upright\"><span>" + escaped(suite) + "</span></th>";
-  std::string rows;
-  for (const ordered_json& fault : faults) {
-    std::map<std::string, int> by;
-    for (const auto& test : fault["failed"]) ++by[suite_of(test.get<std::string>())];
-    std::string cells = "<td>" + escaped(fault["says"].get<std::string>()) + "<small>" + text(fault, "file") +
-                        "</small>" + (by.empty() ? "<strong class=\"missing\">not noticed</strong>" : "") + "</td>";
-    for (const std::string& suite : suites) {
-      cells += by.count(suite) != 0 ? "<td class=\"hit\">" + std::to_string(by[suite]) + "</td>" : "<td></td>";
-    }
-    rows += element("tr", cells);
-  }
-  return "<div class=\"scroll\"><table class=\"matrix\"><thead><tr>" + head + "</tr></thead>" + element("tbody", rows) +
-         "</table></div>";
-}
-
-std::string faults_part(const std::filesystem::path& file) {
-  const ordered_json all = json_of(file);
-  if (all.is_null()) return element("p", "No fault study here: <code>scripts/faults</code> was not run.", "missing");
-  std::vector<ordered_json> faults;
-  std::string constants;
-  std::size_t noticed = 0;
-  for (const ordered_json& entry : all.at("results")) {
-    if (entry.at("kind") == "fault") {
-      faults.push_back(entry);
-      noticed += entry.at("failed").empty() ? 0 : 1;
-    } else {
-      constants += element(
-          "tr",
-          element("td", text(entry, "name") + "<small>" + text(entry, "says") + "</small>") +
-              element("td",
-                      entry.contains("smallest_noticed") ? shown(entry["smallest_noticed"].get<double>()) : missing,
-                      "number"));
-    }
-  }
-  return element("p", std::to_string(faults.size()) +
-                          " faults were put into the source, one at a time; the verification tests noticed " +
-                          std::to_string(noticed) + ". Made from commit " + text(all, "commit") +
-                          ". The numbers say how many tests of a page fail.") +
-         fault_matrix(faults) +
-         (constants.empty() ? ""
-                            : "<table class=\"torn\"><caption>The smallest relative change, to a power of ten, that "
-                              "some test notices.</caption>"
-                              "<thead><tr><th>Constant</th><th class=\"number\">Change</th></tr></thead>" +
-                                  element("tbody", constants) + "</table>");
-}
-
 }  // namespace
 
 std::size_t failed_checks(const Evidence& evidence) {
@@ -144,8 +88,10 @@ std::size_t failed_checks(const Evidence& evidence) {
 }
 
 std::string verification_section(const Evidence& evidence) {
+  const ordered_json faults = json_of(evidence.faults);
   return element("h3", "Checks") + checks_part(evidence.checks) + element("h3", "Faults that they notice") +
-         faults_part(evidence.faults);
+         (faults.is_null() ? element("p", "No fault study here: <code>scripts/faults</code> was not run.", "missing")
+                           : faults_part(faults));
 }
 
 }  // namespace furrow

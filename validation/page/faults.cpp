@@ -1,0 +1,131 @@
+#include "page/faults.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "page/gnuplot.h"
+#include "page/html.h"
+
+namespace furrow {
+namespace {
+
+using nlohmann::ordered_json;
+using Suites = std::set<std::string>;
+
+std::string text(const ordered_json& entry, const char* key) { return escaped(entry.at(key).get<std::string>()); }
+
+std::string suite_of(const std::string& test) { return test.substr(0, test.find('.')); }
+
+std::vector<ordered_json> of_kind(const ordered_json& study, const char* kind) {
+  std::vector<ordered_json> entries;
+  for (const ordered_json& entry : study.at("results")) {
+    if (entry.at("kind") == kind) entries.push_back(entry);
+  }
+  return entries;
+}
+
+Suites suites_of(const ordered_json& tests) {
+  Suites suites;
+  for (const auto& test : tests) suites.insert(suite_of(test.get<std::string>()));
+  return suites;
+}
+
+std::string matrix_row(const ordered_json& fault, const Suites& suites, const Suites& methods) {
+  std::map<std::string, int> by;
+  for (const auto& test : fault.at("failed")) ++by[suite_of(test.get<std::string>())];
+  const auto& left_out = fault.at("left_out");
+  const bool methods_left_out = std::find(left_out.begin(), left_out.end(), "methods") != left_out.end();
+  std::string cells = element("td", text(fault, "says")) +
+                      (by.empty() ? element("td", "none", "number missing")
+                                  : element("td", std::to_string(fault.at("failed").size()), "number"));
+  for (const std::string& suite : suites) {
+    if (by.count(suite) != 0) {
+      cells += element("td", std::to_string(by[suite]), "hit");
+    } else {
+      cells += methods_left_out && methods.count(suite) != 0 ? element("td", "&#8211;", "left_out") : element("td", "");
+    }
+  }
+  return element("tr", cells);
+}
+
+// Faults, file by file, against test suites: how many tests of a suite notice a fault.
+std::string matrix(const std::vector<ordered_json>& faults, const ordered_json& study) {
+  std::map<std::string, int> noticed_by;  // suite: faults
+  std::map<std::string, std::vector<ordered_json>> files;
+  Suites suites;
+  for (const ordered_json& fault : faults) {
+    for (const std::string& suite : suites_of(fault.at("failed"))) ++noticed_by[suite];
+    files[fault.at("file")].push_back(fault);
+  }
+  for (const auto& [suite, count] : noticed_by) suites.insert(suite);
+  const Suites methods = suites_of(study.at("groups").value("methods", ordered_json::array()));
+
+  std::string head = element("th", "Fault") + element("th", "<span>tests that notice it</span>", "upright");
+  std::string foot = element("th", "Faults that the page notices") + element("td", "");
+  for (const std::string& suite : suites) {
+    head += element("th", "<span>" + escaped(suite) + "</span>", "upright");
+    foot += element("td", std::to_string(noticed_by[suite]), "number");
+  }
+  std::string rows;
+  for (const auto& [file, those] : files) {
+    rows += element(
+        "tr", "<th class=\"file\" colspan=\"" + std::to_string(suites.size() + 2) + "\">" + escaped(file) + "</th>");
+    for (const ordered_json& fault : those) rows += matrix_row(fault, suites, methods);
+  }
+  return "<div class=\"scroll\"><table class=\"matrix\">" + element("thead", element("tr", head)) +
+         element("tbody", rows) + element("tfoot", element("tr", foot)) + "</table></div>";
+}
+
+std::string constants_table(const std::vector<ordered_json>& constants) {
+  std::string rows;
+  for (const ordered_json& entry : constants) {
+    std::string by;
+    for (const auto& test : entry.value("by", ordered_json::array()))
+      by += (by.empty() ? "" : ", ") + escaped(test.get<std::string>());
+    const bool found = entry.contains("smallest_noticed");
+    rows +=
+        element("tr", element("td", text(entry, "name") + "<small>" + text(entry, "says") + "</small>") +
+                          element("td", found ? shown(entry["smallest_noticed"].get<double>()) : missing, "number") +
+                          element("td", "<small>" + by + "</small>"));
+  }
+  return "<table class=\"torn\"><caption>The smallest relative change, to a power of ten, that some test notices, and "
+         "the tests of the first page that does.</caption>"
+         "<thead><tr><th>Constant</th><th class=\"number\">Change</th><th>Noticed by</th></tr></thead>" +
+         element("tbody", rows) + "</table>";
+}
+
+std::string silent_table(const ordered_json& tests) {
+  std::string rows;
+  for (const auto& [test, why] : tests.items()) {
+    const std::string reason = why.get<std::string>();
+    rows += element("tr", element("td", escaped(test)) + (reason.empty() ? element("td", "no reason known", "missing")
+                                                                         : element("td", escaped(reason))));
+  }
+  return "<details><summary>The " + std::to_string(tests.size()) +
+         " tests that noticed none of them, and why they are kept</summary><table class=\"torn\">" +
+         element("tbody", rows) + "</table></details>";
+}
+
+}  // namespace
+
+std::string faults_part(const ordered_json& study) {
+  const std::vector<ordered_json> faults = of_kind(study, "fault");
+  const std::vector<ordered_json> constants = of_kind(study, "constant");
+  const auto noticed =
+      std::count_if(faults.begin(), faults.end(), [](const ordered_json& f) { return !f.at("failed").empty(); });
+  std::string html = element(
+      "p", std::to_string(faults.size()) +
+               " faults were put into the source, one at a time; the verification tests noticed " +
+               std::to_string(noticed) + ". Made from commit " + text(study, "commit") +
+               ". A number says how many tests of a page fail. A dash: the page was not run, because it measures "
+               "methods, the fault is not in one, and other pages noticed it.");
+  html += matrix(faults, study);
+  if (!constants.empty()) html += constants_table(constants);
+  if (!study.at("noticed_nothing").empty()) html += silent_table(study.at("noticed_nothing"));
+  return html;
+}
+
+}  // namespace furrow

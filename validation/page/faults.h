@@ -1,0 +1,12 @@
+// The page's part about the fault study: which tests notice which faults.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace furrow {
+
+// `study` is faults.json, see verification/fault_study.
+std::string faults_part(const nlohmann::ordered_json& study);
+
+}  // namespace furrow
