@@ -122,8 +122,9 @@ Scheme implicit_euler() {
 constexpr double a0 = 0.40518861839525227722, a1 = -0.28714404081652408900, b0 = -3.0 / 73, b1 = 17.0 / 59;
 const Numbers six_a{a0, a1, 0.5 - (a0 + a1), 0.5 - (a0 + a1), a1, a0};
 const Numbers six_b{b0, b1, 1 - 2 * (b0 + b1), b1, b0, 0};
-const double root = std::sqrt(7.0 / 8) / 3;
-const Numbers five_a{0.5 - root, root - 1.0 / 3, 2.0 / 3, root - 1.0 / 3, 0.5 - root};
+const double mclachlan_root = std::sqrt(7.0 / 8) / 3;
+const Numbers five_a{0.5 - mclachlan_root, mclachlan_root - 1.0 / 3, 2.0 / 3, mclachlan_root - 1.0 / 3,
+                     0.5 - mclachlan_root};
 const Numbers five_b{1, -0.5, -0.5, 1, 0};
 
 // One entry a scheme, with the names under which the catalogue has it.
