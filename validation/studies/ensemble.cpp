@@ -114,11 +114,15 @@ Json ensemble(const Settings& settings) {
       "Each of the paper's runs has one random packing of the bed. Which of its numbers would another packing "
       "have given too?");
   std::size_t failed = 0;
+  std::string why;
   for (const auto& [group, list] : groups) {
-    for (const Json& member : list) failed += member.contains("failed") ? 1 : 0;
+    for (const Json& member : list) {
+      if (!member.contains("failed")) continue;
+      if (++failed == 1) why = member["failed"].get<std::string>();
+    }
   }
   report.text(std::to_string(members.size()) + " runs at the paper's step, " + std::to_string(failed) +
-              " of them did not come to their end.");
+              " of them did not come to their end" + (failed == 0 ? "." : "; the first: " + why + "."));
   Json data = {{"members", groups}};
   for (const auto& [group, list] : groups) add_distributions(report, group, list);
   if (!settings.quick) {

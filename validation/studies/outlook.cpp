@@ -89,15 +89,26 @@ const std::vector<std::pair<const char*, const char*>> shown{{"mean_force", "mea
                                                              {"growth_of_maxima", "growth of the maxima per 100 mm"},
                                                              {"force_free_share", "without force [%]"}};
 
+// Over the values at which the scene runs; the others are named.
 std::string conclusion(const Variation& v, const std::vector<Estimate>& force) {
-  const Estimate& first = force.front();
-  const Estimate& last = force.back();
-  const bool apart = std::fabs(first.mean - last.mean) > std::hypot(first.half, last.half);
-  return v.what + ": the mean force " +
-         (apart ? "goes from " + first.text() + " N at " + three_digits(v.values.front()) + " " + v.unit + " to " +
-                      last.text() + " N at " + three_digits(v.values.back()) + " " + v.unit + "."
-                : "does not change by more than the packings do (" + first.text() + " N and " + last.text() +
-                      " N at the ends).");
+  std::vector<std::size_t> ran;
+  std::string failed;
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    if (std::isnan(force[k].mean)) {
+      failed += (failed.empty() ? "" : ", ") + three_digits(v.values[k]);
+    } else {
+      ran.push_back(k);
+    }
+  }
+  const auto at = [&](std::size_t k) { return force[k].text() + " N at " + three_digits(v.values[k]) + " " + v.unit; };
+  std::string text = v.what + ": ";
+  if (ran.size() > 1) {
+    const Estimate &first = force[ran.front()], &last = force[ran.back()];
+    const bool apart = std::fabs(first.mean - last.mean) > std::hypot(first.half, last.half);
+    text += std::string("the mean force ") + (apart ? "goes from " : "does not change by more than the packings do: ") +
+            at(ran.front()) + (apart ? " to " : ", ") + at(ran.back()) + ".";
+  }
+  return text + (failed.empty() ? "" : " No packing runs to its end at " + failed + " " + v.unit + ".");
 }
 
 }  // namespace
@@ -126,6 +137,7 @@ Json outlook(const Settings& settings) {
                 "in its second scene?");
   Json blocks = Json::object();
   std::size_t failed = 0;
+  std::string why;
   for (std::size_t v = 0; v < variations().size(); ++v) {
     const Variation& variation = variations()[v];
     std::vector<std::string> head{variation.what + " [" + variation.unit + "]"};
@@ -137,7 +149,10 @@ Json outlook(const Settings& settings) {
       for (std::size_t i = 0; i < got.size(); ++i) {
         if (places[i].variation == v && places[i].value == k) list.push_back(got[i]);
       }
-      for (const Json& one : list) failed += one.contains("failed") ? 1 : 0;
+      for (const Json& one : list) {
+        if (!one.contains("failed")) continue;
+        if (++failed == 1) why = one["failed"].get<std::string>();
+      }
       std::vector<Json> row{variation.values[k]};
       for (const auto& [id, title] : shown) row.emplace_back(Estimate(id, list).text());
       rows.push_back(row);
@@ -159,7 +174,9 @@ Json outlook(const Settings& settings) {
                    .description = "Force on the plate against its speed, the radius of particles and their spread",
                    .blocks = blocks});
   }
-  report.claim("Every run came to its end.", failed == 0);
+  report.claim("Every run came to its end." +
+                   (failed == 0 ? "" : " " + std::to_string(failed) + " did not; the first: " + why + "."),
+               failed == 0);
   return report.json();
 }
 
