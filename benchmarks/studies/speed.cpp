@@ -86,7 +86,8 @@ std::map<std::string, double> contact_times(const fs::path& file) {
   std::ifstream stream(file);
   std::map<std::string, double> times;
   if (!stream) return times;
-  for (const Json& b : Json::parse(stream).at("benchmarks")) {
+  const Json report = Json::parse(stream);
+  for (const Json& b : report.at("benchmarks")) {
     const std::string name = b.at("run_name");
     if (b.value("aggregate_name", "") == "median")
       times[name.substr(0, name.find('/'))] = 1e9 * b.at("s/contact").get<double>();
