@@ -82,7 +82,7 @@ void whole(benchmark::State& state) {
     std::fill(row.load.begin(), row.load.end(), furrow::DiscLoad{});
     furrow::kernel().pair_up(*row.block, row.first.data(), row.second.data());
     furrow::kernel().evaluate(*row.block, row.model, false, false);
-    furrow::kernel().add(*row.block, row.load.data());
+    furrow::kernel().add(*row.block, row.block->b.data(), row.load.data());
     benchmark::ClobberMemory();
   }
   double sum = 0, size = 0;

@@ -26,6 +26,9 @@ class OdeSystem {
   // How many of the leading numbers count in the error control of a controlled method.
   virtual std::size_t controlled() const { return size(); }
 
+  // On how many threads it evaluates itself, and a method may pass over its states.
+  virtual int threads() const { return 1; }
+
   // Which forces depend on velocity, for a message; empty: none.
   virtual std::string velocity_dependence() const { return {}; }
 

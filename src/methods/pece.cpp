@@ -14,6 +14,7 @@
 // lambda| on the imaginary one. Sources: Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al.
 // 2004, as the paper cites it; the forms: Hairer, Norsett and Wanner, Solving ODEs I, III.1 and III.8.
 #include "methods/method.h"
+#include "methods/parallel.h"
 
 namespace furrow {
 namespace {
@@ -35,12 +36,17 @@ class Pece final : public Method {
     const double r = h / h_before_;
     const double on_now = h * (1 + 0.5 * r);
     const double on_before = h * (0.5 * r);
-    for (std::size_t i = 0; i < n; ++i) predicted_[i] = y[i] + (on_now * now_[i] - on_before * before_[i]);
+    const int threads = system.threads();
+    in_ranges(threads, n, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) predicted_[i] = y[i] + (on_now * now_[i] - on_before * before_[i]);
+    });
     const double half = 0.5 * h;
     for (int corrections = form_ == Form::pecece ? 2 : 1; corrections > 0; --corrections) {
       evaluate(system, t + h, predicted_, next_);
       State& corrected = corrections > 1 ? predicted_ : y;
-      for (std::size_t i = 0; i < n; ++i) corrected[i] = y[i] + half * (next_[i] + now_[i]);
+      in_ranges(threads, n, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) corrected[i] = y[i] + half * (next_[i] + now_[i]);
+      });
     }
     std::swap(now_, before_);
     if (form_ == Form::pec) now_.swap(next_);

@@ -17,6 +17,7 @@ struct RunOptions {
   std::optional<double> step;   // s
   std::optional<double> until;  // s
   std::optional<Locate> locate;
+  std::optional<int> threads;
   std::string directory;  // empty: runs/<name of the scene>
 };
 

@@ -49,6 +49,7 @@ void print_modelled(const Scene& scene, const System& system) {
        count(parts.plate.size(), "plate").c_str());
   if (system.spring_count() > 0)
     line("tangential springs", "room for %d contacts with friction", system.spring_count());
+  if (system.threads() > 1) line("threads", "%d share a step; they change no bit", system.threads());
   if (system.keeps_ledger()) line("energy ledger", "%d numbers (output.energy = false saves them)", ledger_entries);
 }
 
@@ -59,6 +60,9 @@ void print_left_out(const Scene& scene, const System& system) {
   if (system.has_friction() && !system.has_rolling() && parts.disc.count() > 0)
     line("rolling resistance", "every rolling friction coefficient is zero");
   if (parts.disc.count() == 0) line("neighbour search", "no discs");
+  if (scene.search.threads > system.threads())
+    line("threads", "search.threads = %d is for beds of more than %d discs", scene.search.threads,
+         NeighbourSearch::discs_a_chunk);
   if (scene.model.gravity == 0) line("gravity", "model.gravity = 0");
   for (const Lattice& l : scene.lattice) {
     const std::string name = "lattice " + l.name;

@@ -71,6 +71,8 @@ int parse_and_run(int argc, char** argv) {
   const std::map<std::string, Locate> words{{"none", Locate::none}, {"tears", Locate::tears}, {"all", Locate::all}};
   run->add_option("--locate", options.locate, "what steps end at: nothing, tears, or touches and slips too")
       ->transform(CLI::CheckedTransformer(words));
+  run->add_option("--threads", options.threads, "threads in one step, for beds of more than 4,096 discs")
+      ->check(CLI::Range(1, 64));
   run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)");
 
   std::vector<std::string> scenes;

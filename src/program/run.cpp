@@ -75,6 +75,7 @@ Scene requested_scene(const RunOptions& options) {
   Scene scene = read_scene(options.scene);
   if (options.method) scene.time.method = *options.method;
   if (options.step) scene.time.step = *options.step;
+  if (options.threads) scene.search.threads = *options.threads;
   if (options.locate) scene.time.locate = *options.locate;
   if (options.until) {
     scene.time.end = *options.until;

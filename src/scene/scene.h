@@ -50,6 +50,7 @@ struct Search {
   SearchMode mode = SearchMode::cells;
   double skin = 0;       // m, added to the reach of the neighbour list; 0: chosen from the radii
   double cell_size = 0;  // m; 0: the reach of the neighbour list
+  int threads = 1;       // in one step, for beds of more than NeighbourSearch::discs_a_chunk discs
 };
 
 // Young's modulus and one of Poisson's ratio and shear modulus. A rigid material does not deform at all.

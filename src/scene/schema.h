@@ -44,6 +44,7 @@ void describe(auto& v, Search& s) {
   v.choice("mode", s.mode, {{"cells", SearchMode::cells}, {"brute_force", SearchMode::brute_force}});
   v("skin", s.skin, "m", not_negative);
   v("cell_size", s.cell_size, "m", not_negative);
+  v("threads", s.threads, "", Range{1, 64});
 }
 
 void describe(auto& v, Material& m) {

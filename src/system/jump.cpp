@@ -1,5 +1,6 @@
 // The jump map: what happens between steps.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "system/system.h"
@@ -12,7 +13,8 @@ JumpReport System::jump(double t, State& y) {
   if (!preparing_) tear_links(t, y, report);
   if (friction_ && report.torn.empty()) {
     known_time_ = t;
-    known_ = y;
+    known_.resize(y.size());
+    copy_in_ranges(threads_, y, known_);
   }
   return report;
 }
@@ -21,25 +23,32 @@ JumpReport System::jump(double t, State& y) {
 // state it leaves, so the rates there come with it.
 void System::return_springs(double t, State& y, JumpReport& report) {
   ++slots_.nearness.now;
-  relaxed_.assign(static_cast<std::size_t>(spring_count_), 0.0);
-  double nowhere = 0;
+  in_ranges(threads_, relaxed_.size(), [&](std::size_t first, std::size_t last) {
+    std::fill(relaxed_.data() + first, relaxed_.data() + last, 0.0);
+  });
   known_rates_.resize(y.size());
-  begin_rates(y, known_rates_);
-  for_each_block(t, y, &slots_, asker(), [&](const TouchBlock& c) {
+  std::fill(chunk_returned_.begin(), chunk_returned_.end(), 0.0);
+  double& returned = chunk_returned_[0];
+  if (keeps_ledger_) returned = y[ledger_of(friction_work)];
+  add_up(t, y, &slots_, known_rates_, [&](const TouchBlock& c, int chunk) {
+    double nowhere = 0;
     for (int k = 0; k < c.count; ++k) {
       const int slot = c.slot[k];
-      const double returned = c.spring[k];
-      *(slot < 0 ? &nowhere : &relaxed_[slot]) = returned;
+      *(slot < 0 ? &nowhere : &relaxed_[slot]) = c.spring[k];
       if (!keeps_ledger_ || slot < 0) continue;
       const double spring = y[springs_ + slot];
-      y[ledger_of(friction_work)] += 0.5 * c.shear_stiffness[k] * (spring * spring - returned * returned);
+      chunk_returned_[chunk] += 0.5 * c.shear_stiffness[k] * (spring * spring - c.spring[k] * c.spring[k]);
     }
-    add_contacts(c, t, known_rates_);
   });
-  finish_rates(known_rates_);
-  const auto springs = y.begin() + springs_;
-  report.springs_changed = !std::equal(relaxed_.begin(), relaxed_.end(), springs);
-  std::copy(relaxed_.begin(), relaxed_.end(), springs);
+  for (std::size_t k = 1; k < chunk_returned_.size(); ++k) returned += chunk_returned_[k];
+  if (keeps_ledger_) y[ledger_of(friction_work)] = returned;
+  double* spring = y.data() + springs_;
+  std::atomic<bool> changed = false;
+  in_ranges(threads_, relaxed_.size(), [&](std::size_t first, std::size_t last) {
+    if (!std::equal(relaxed_.data() + first, relaxed_.data() + last, spring + first)) changed = true;
+    std::copy(relaxed_.data() + first, relaxed_.data() + last, spring + first);
+  });
+  report.springs_changed = changed;
 }
 
 void System::tear_links(double t, State& y, JumpReport& report) {

@@ -26,6 +26,16 @@ FURROW_LANES void pair_up(TouchBlock& c, const TouchBlock::DiscPair* first, cons
   }
 }
 
+FURROW_LANES void pair_up_scattered(TouchBlock& c, const DiscMotion& disc) {
+  for (int k = 0; k < c.count; ++k) {
+    const int a = c.a[k];
+    const int b = c.b[k];
+    c.pair[k] = {
+        disc.x[b] - disc.x[a],        disc.y[b] - disc.y[a], disc.vx[a] - disc.vx[b],      disc.vy[a] - disc.vy[b],
+        disc.spin ? disc.spin[a] : 0, disc.radius[a],        disc.spin ? disc.spin[b] : 0, disc.radius[b]};
+  }
+}
+
 FURROW_LANES bool note_near(const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness) {
   const double margin = nearness.margin;
   const std::uint32_t now = nearness.now;
@@ -146,14 +156,14 @@ FURROW_LANES void evaluate(TouchBlock& c, const ContactModel& model, bool return
 
 // The pairs of one disc as `a` follow each other: its sum stays in a register. To load it all the same, and drop it,
 // would mean to wait for the last store; so nothing is loaded from there.
-FURROW_LANES void add(const TouchBlock& c, DiscLoad* sum) {
+FURROW_LANES void add(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) {
   const Four sign{-1, -1, 1, 1};
   const DiscLoad none{};
   Four on_a{};
   int before = -1;
   for (int k = 0; k < c.count; ++k) {
     const int a = c.a[k];
-    const int b = c.b[k];
+    const int b = load_of_b[k];
     const Four load{c.fx[k], c.fy[k], c.torque_a[k], c.torque_b[k]};
     Four sum_a, sum_b;
     std::memcpy(&sum_a, a == before ? &none : &sum[a], sizeof sum_a);
@@ -202,6 +212,7 @@ FURROW_LANES void add_powers(const TouchBlock& c, bool friction, ContactPowers& 
   target void pair_up_##width(TouchBlock& c, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second) { \
     pair_up(c, first, second);                                                                                        \
   }                                                                                                                   \
+  target void pair_up_scattered_##width(TouchBlock& c, const DiscMotion& disc) { pair_up_scattered(c, disc); }        \
   target bool note_near_##width(const TouchBlock& c, std::uint32_t* near_at, const Nearness& n) {                     \
     return note_near(c, near_at, n);                                                                                  \
   }                                                                                                                   \
@@ -211,8 +222,8 @@ FURROW_LANES void add_powers(const TouchBlock& c, bool friction, ContactPowers& 
   target void add_powers_##width(const TouchBlock& c, bool friction, ContactPowers& sum) {                            \
     add_powers(c, friction, sum);                                                                                     \
   }                                                                                                                   \
-  target void add_##width(const TouchBlock& c, DiscLoad* sum) { add(c, sum); }                                        \
-  constexpr Kernel kernel_##width{#width,           pair_up_##width, note_near_##width,                               \
+  target void add_##width(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) { add(c, load_of_b, sum); }       \
+  constexpr Kernel kernel_##width{#width,           pair_up_##width, pair_up_scattered_##width, note_near_##width,    \
                                   evaluate_##width, add_##width,     add_powers_##width};
 // NOLINTEND(bugprone-macro-parentheses)
 

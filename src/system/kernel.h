@@ -12,6 +12,13 @@ struct alignas(32) DiscLoad {
   double fx, fy, torque, unused;
 };
 
+// One number a disc.
+struct DiscMotion {
+  const double *x, *y, *vx, *vy;  // m, m/s
+  const double* spin;             // rad/s; null: none
+  const double* radius;           // m
+};
+
 // When a candidate should take a slot for a tangential spring or give it back.
 struct Nearness {
   double margin = 0;      // m
@@ -34,8 +41,12 @@ struct ContactPowers {
 struct Kernel {
   const char* name;
 
-  // Fills the pairs of the block from what each disc brings as the first and as the second of a pair.
+  // Fills the pairs of the block from what each disc brings as the first and as the second of a pair. The fastest, as
+  // long as that stays in the cache.
   void (*pair_up)(TouchBlock&, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second);
+
+  // The same from the state itself.
+  void (*pair_up_scattered)(TouchBlock&, const DiscMotion&);
 
   // Takes note of which pairs are near. True if one of them should take a slot or give it back.
   bool (*note_near)(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
@@ -45,7 +56,7 @@ struct Kernel {
   void (*evaluate)(TouchBlock&, const ContactModel&, bool returning, bool details);
 
   // Adds the loads of a block of disc pairs to those of the discs, in the order of the pairs.
-  void (*add)(const TouchBlock&, DiscLoad*);
+  void (*add)(const TouchBlock&, const int* load_of_b, DiscLoad*);
 
   // Adds the powers of a block with details, contact by contact.
   void (*add_powers)(const TouchBlock&, bool friction, ContactPowers&);

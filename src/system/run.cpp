@@ -1,6 +1,7 @@
 #include "system/run.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -29,15 +30,22 @@ class Watch {
     // Whole numbers for the verdicts: they may be taken in any order, thus several at once. The exponent of what is not
     // finite is all ones: one more carries into the sign.
     constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
-    std::uint64_t carried = 0;
-    for (const double v : after) carried |= (std::bit_cast<std::uint64_t>(v) & exponent) + one;
-    std::int64_t far = 0;
+    std::atomic<bool> unsound = false;
+    in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
+      std::uint64_t carried = 0;
+      for (std::size_t k = first; k < last; ++k) carried |= (std::bit_cast<std::uint64_t>(after[k]) & exponent) + one;
+      if (carried > exponent) unsound = true;
+    });
     const int bodies = static_cast<int>(size_.size());
-    for (int i = 0; i < bodies; ++i) {
-      far += std::fabs(after[i] - before[i]) > size_[i] ? 1 : 0;
-      far += std::fabs(after[bodies + i] - before[bodies + i]) > size_[i] ? 1 : 0;
-    }
-    if (carried <= exponent && far == 0) return {};
+    in_ranges(system_.threads(), size_.size(), [&](std::size_t first, std::size_t last) {
+      std::int64_t far = 0;
+      for (std::size_t i = first; i < last; ++i) {
+        far += std::fabs(after[i] - before[i]) > size_[i] ? 1 : 0;
+        far += std::fabs(after[bodies + i] - before[bodies + i]) > size_[i] ? 1 : 0;
+      }
+      if (far != 0) unsound = true;
+    });
+    if (!unsound) return {};
     std::ostringstream text;
     for (int i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
@@ -89,7 +97,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   };
   EventSteps stepper(system, method, plan.locate, check);
   const auto accept = [&](const JumpReport& report) {
-    before = y;
+    copy_in_ranges(system.threads(), y, before);
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
   };
   try {

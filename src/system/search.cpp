@@ -1,9 +1,11 @@
 #include "system/search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "methods/ode.h"
+#include "methods/parallel.h"
 
 namespace furrow {
 namespace {
@@ -19,15 +21,19 @@ double least_radius(const Parts& parts) {
 }
 
 // Whether a point has moved further than `limit` (m) or is not finite.
-bool moved(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0,
-           double limit) {
-  std::int64_t far = 0;  // counted, not left at the first: several at once
-  for (std::size_t i = 0; i < x0.size(); ++i) {
-    const double dx = x[i] - x0[i];
-    const double dy = y[i] - y0[i];
-    far += dx * dx + dy * dy <= limit * limit ? 0 : 1;
-  }
-  return far != 0;
+bool moved(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0, double limit,
+           int threads) {
+  std::atomic<bool> any = false;
+  in_ranges(threads, x0.size(), [&](std::size_t first, std::size_t last) {
+    std::int64_t far = 0;  // counted, not left at the first: several at once
+    for (std::size_t i = first; i < last; ++i) {
+      const double dx = x[i] - x0[i];
+      const double dy = y[i] - y0[i];
+      far += dx * dx + dy * dy <= limit * limit ? 0 : 1;
+    }
+    if (far != 0) any = true;
+  });
+  return any;
 }
 
 // Discs sorted into square cells, by counting.
@@ -87,25 +93,26 @@ NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
       skin_(settings.skin > 0 ? settings.skin : skin_of_radius * least_radius(parts)),
       cell_size_(settings.cell_size) {}
 
-void NeighbourSearch::update(const Parts& parts, const Placement& now) {
-  if (idle_ || (made_ && !brute_force_ && current(parts, now))) return;
+void NeighbourSearch::update(const Parts& parts, const Placement& now, int threads) {
+  if (idle_ || (made_ && !brute_force_ && current(parts, now, threads))) return;
   check_finite(parts, now);
   if (made_ && brute_force_) return;
   for (int kind = 0; kind < contact_kinds; ++kind) {
     replace(parts, static_cast<ContactKind>(kind), near_pairs(parts, now, static_cast<ContactKind>(kind)));
   }
   find_segments(parts, now);
+  cut_into_chunks(parts.disc.count());
   remember(parts, now);
   ++rebuilds;
 }
 
 // Two bodies, or a body and a plate, have come closer by no more than the skin.
-bool NeighbourSearch::current(const Parts& parts, const Placement& now) const {
+bool NeighbourSearch::current(const Parts& parts, const Placement& now, int threads) const {
   double speed = 0;
   for (const PlatePart& p : parts.plate) speed = std::max(speed, std::sqrt(p.vx * p.vx + p.vy * p.vy));
   const double limit = std::min(0.5 * skin_, skin_ - speed * std::fabs(now.t - made_at_));
-  return limit >= 0 && !moved(now.disc_x, now.disc_y, disc_x_, disc_y_, limit) &&
-         !moved(now.node_x, now.node_y, node_x_, node_y_, limit);
+  return limit >= 0 && !moved(now.disc_x, now.disc_y, disc_x_, disc_y_, limit, threads) &&
+         !moved(now.node_x, now.node_y, node_x_, node_y_, limit, 1);
 }
 
 void NeighbourSearch::remember(const Parts& parts, const Placement& now) {
@@ -229,6 +236,24 @@ void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::v
   }
   while (n < near.size()) add(near[n++], -1, 0);
   old = std::move(fresh);
+}
+
+void NeighbourSearch::cut_into_chunks(int discs) {
+  const Candidates& list = candidates[disc_disc];
+  const std::size_t count = static_cast<std::size_t>((discs + discs_a_chunk - 1) / discs_a_chunk);
+  chunks.clear();
+  spilled.assign(count, {});
+  spills = 0;
+  int pair = 0;
+  for (int first = 0; first < discs; first += discs_a_chunk) {
+    Chunk chunk{first, std::min(discs, first + discs_a_chunk), pair, pair, spills};
+    for (; pair < list.count() && list.a[pair] < chunk.last_disc; ++pair) {
+      const int b = list.b[pair];
+      if (b >= chunk.last_disc) spilled[b / discs_a_chunk].push_back({spills++, b});
+    }
+    chunk.last_pair = pair;
+    chunks.push_back(chunk);
+  }
 }
 
 void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {

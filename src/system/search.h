@@ -34,18 +34,33 @@ struct Candidates {
   int count() const { return static_cast<int>(a.size()); }
 };
 
+// Discs that follow each other, and the pairs that have one of them as the first. What a pair does to a disc of a later
+// chunk is a spill: kept apart until all chunks are done, then added in the order of the pairs.
+struct Chunk {
+  int first_disc, last_disc, first_pair, last_pair, first_spill;
+};
+
 class NeighbourSearch {
  public:
+  // So many at least fit the second-level cache. Fixed: the chunks decide in which order forces are summed.
+  static constexpr int discs_a_chunk = 4096;
+
   NeighbourSearch() = default;
   NeighbourSearch(const Parts& parts, const Search& settings);
 
   // Makes sure that every pair closer than `margin` is on a list. Throws Divergence where a position is not finite.
-  void update(const Parts& parts, const Placement& now);
+  void update(const Parts& parts, const Placement& now, int threads = 1);
 
   // m. A contact gets a slot for its tangential spring when its gap is below the margin, one step before it can touch,
   // so that the spring is integrated from the very touch.
   double margin = 0;
   std::array<Candidates, contact_kinds> candidates;
+  std::vector<Chunk> chunks;
+  struct Spill {
+    int number, disc;
+  };
+  std::vector<std::vector<Spill>> spilled;  // into each chunk, ascending
+  int spills = 0;
   long rebuilds = 0;
 
  private:
@@ -53,7 +68,7 @@ class NeighbourSearch {
     int a, b;
   };
 
-  bool current(const Parts& parts, const Placement& now) const;
+  bool current(const Parts& parts, const Placement& now, int threads) const;
   void remember(const Parts& parts, const Placement& now);
   void check_finite(const Parts& parts, const Placement& now) const;
   std::vector<Pair> near_pairs(const Parts& parts, const Placement& now, ContactKind kind) const;
@@ -61,6 +76,7 @@ class NeighbourSearch {
   void near_discs(const Parts& parts, const Placement& now, std::vector<Pair>& near) const;
   void replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near);
   void find_segments(const Parts& parts, const Placement& now);
+  void cut_into_chunks(int discs);
 
   bool idle_ = true;  // nothing can ever touch
   bool brute_force_ = false;

@@ -1,6 +1,7 @@
 #include "system/system.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -64,7 +65,21 @@ System::System(const Scene& scene)
   }
   node_fx_.resize(nodes_.x.size());
   node_fy_.resize(nodes_.x.size());
-  disc_load_.resize(parts_.disc.radius.size());
+  const auto one_value = [](const auto& all) { return std::equal(all.begin() + 1, all.end(), all.begin()); };
+  const DiscArrays& disc = parts_.disc;
+  alike_ = disc.count() > 1 && one_value(disc.radius) && one_value(disc.mass) && one_value(disc.material);
+  if (disc.count() > NeighbourSearch::discs_a_chunk) threads_ = scene.search.threads;
+  const auto chunks = static_cast<std::size_t>(1 + disc.count() / NeighbourSearch::discs_a_chunk);
+  chunk_powers_.resize(chunks);
+  chunk_returned_.resize(chunks);
+  disc_block_.resize(static_cast<std::size_t>(threads_));
+  for (TouchBlock& c : disc_block_) {
+    c.kind = disc_disc;
+    if (!alike_) continue;
+    c.law.fill(parts_.law_of(disc.material[0], disc.material[0]));
+    c.reduced_radius.fill(disc.radius[0] * disc.radius[0] / (disc.radius[0] + disc.radius[0]));
+    c.reduced_mass.fill(disc.mass[0] * disc.mass[0] / (disc.mass[0] + disc.mass[0]));
+  }
   first_of_pair_.resize(parts_.disc.radius.size());
   second_of_pair_.resize(parts_.disc.radius.size());
 
@@ -120,27 +135,43 @@ Placement System::placement(double t, const State& y) const {
 }
 
 void System::rhs(double t, const State& y, State& dydt) const {
-  if (t == known_time_ && y.size() == known_.size() &&
-      std::memcmp(y.data(), known_.data(), y.size() * sizeof y[0]) == 0) {
-    std::copy(known_rates_.begin(), known_rates_.end(), dydt.begin());
-    return;
+  if (t == known_time_ && y.size() == known_.size()) {
+    std::atomic<bool> differs = false;
+    in_ranges(threads_, y.size(), [&](std::size_t first, std::size_t last) {
+      if (std::memcmp(y.data() + first, known_.data() + first, (last - first) * sizeof y[0]) != 0) differs = true;
+    });
+    if (!differs) return copy_in_ranges(threads_, known_rates_, dydt);
   }
-  begin_rates(y, dydt);
-  for_each_block(t, y, nullptr, asker(), [&](const TouchBlock& c) { add_contacts(c, t, dydt); });
-  finish_rates(dydt);
+  add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
+}
+
+void System::look_around(double t, const State& y) const {
+  place_nodes(y);
+  search_.update(parts_, placement(t, y), threads_);
+  if (search_.chunks.size() <= 1) pack_discs(y);
 }
 
 void System::begin_rates(const State& y, State& dydt) const {
-  std::copy(y.begin() + 2 * bodies_, y.begin() + 4 * bodies_, dydt.begin());
-  std::fill(dydt.begin() + springs_, dydt.end(), 0.0);
-  std::fill(disc_load_.begin(), disc_load_.end(), DiscLoad{});
+  const auto speeds = static_cast<std::size_t>(2 * bodies_);
+  in_ranges(threads_, speeds, [&](std::size_t first, std::size_t last) {
+    std::copy(&y[speeds + first], &y[speeds] + last, &dydt[first]);
+  });
+  const auto rest = static_cast<std::size_t>(springs_);
+  in_ranges(threads_, dydt.size() - rest, [&](std::size_t first, std::size_t last) {
+    std::fill(dydt.data() + rest + first, dydt.data() + rest + last, 0.0);
+  });
+  disc_load_.resize(static_cast<std::size_t>(parts_.disc.count() + search_.spills));
+  in_ranges(threads_, disc_load_.size(), [&](std::size_t first, std::size_t last) {
+    std::fill(disc_load_.data() + first, disc_load_.data() + last, DiscLoad{});
+  });
+  std::fill(chunk_powers_.begin(), chunk_powers_.end(), ContactPowers{});
   std::copy(parts_.node.load_x.begin(), parts_.node.load_x.end(), node_fx_.begin());
   std::copy(parts_.node.load_y.begin(), parts_.node.load_y.end(), node_fy_.begin());
 }
 
-void System::add_contacts(const TouchBlock& c, double t, State& dydt) const {
+void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt) const {
   if (c.kind == disc_disc) {
-    kernel_->add(c, disc_load_.data());
+    kernel_->add(c, search_.chunks.size() > 1 ? c.load_of_b.data() : c.b.data(), disc_load_.data());
   } else if (of_disc(c.kind)) {
     for (int k = 0; k < c.count; ++k) {
       DiscLoad& sum = disc_load_[c.a[k]];
@@ -169,26 +200,52 @@ void System::add_contacts(const TouchBlock& c, double t, State& dydt) const {
     double nowhere = 0;
     for (int k = 0; k < c.count; ++k) *(c.slot[k] < 0 ? &nowhere : rate + c.slot[k]) = c.slip[k];
   }
-  if (keeps_ledger_) add_to_ledger(c, dydt.data() + ledger_, t);
+  if (keeps_ledger_) add_to_ledger(c, chunk, t, dydt.data() + ledger_);
+}
+
+void System::join_chunks() const {
+  const DiscLoad* spill = disc_load_.data() + parts_.disc.count();
+  in_parallel(threads_, static_cast<int>(search_.spilled.size()), [&](int chunk, int /*thread*/) {
+    for (const NeighbourSearch::Spill& s : search_.spilled[chunk]) {
+      disc_load_[s.disc].fx += spill[s.number].fx;
+      disc_load_[s.disc].fy += spill[s.number].fy;
+      disc_load_[s.disc].torque += spill[s.number].torque;
+    }
+  });
+  ContactPowers& all = chunk_powers_[0];
+  for (std::size_t k = 1; k < chunk_powers_.size(); ++k) {
+    all.viscous += chunk_powers_[k].viscous;
+    all.friction += chunk_powers_[k].friction;
+    all.rolling += chunk_powers_[k].rolling;
+    all.stiffening += chunk_powers_[k].stiffening;
+  }
 }
 
 void System::finish_rates(State& dydt) const {
   double* ax = dydt.data() + 2 * bodies_;
   double* ay = dydt.data() + 3 * bodies_;
-  add_link_forces(keeps_ledger_ ? dydt.data() + ledger_ : nullptr);
-  for (int i = 0; i < parts_.disc.count(); ++i) {
-    ax[i] = disc_load_[i].fx * inverse_mass_[i];
-    ay[i] = disc_load_[i].fy * inverse_mass_[i] - weight_[i];
+  if (keeps_ledger_) {
+    double* work = dydt.data() + ledger_;
+    work[contact_viscous] = chunk_powers_[0].viscous;
+    work[friction_work] = chunk_powers_[0].friction;
+    work[rolling_work] = chunk_powers_[0].rolling;
+    work[stiffening] = chunk_powers_[0].stiffening;
   }
+  add_link_forces(keeps_ledger_ ? dydt.data() + ledger_ : nullptr);
+  double* turning = friction_ ? dydt.data() + 4 * bodies_ : nullptr;
+  in_ranges(threads_, static_cast<std::size_t>(parts_.disc.count()), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      ax[i] = disc_load_[i].fx * inverse_mass_[i];
+      ay[i] = disc_load_[i].fy * inverse_mass_[i] - weight_[i];
+    }
+    for (std::size_t i = turning ? first : last; i < last; ++i) turning[i] = disc_load_[i].torque * inverse_inertia_[i];
+  });
   for (int n = 0; n < parts_.node.count(); ++n) {
     const int body = parts_.node.body[n];
     if (body < 0) continue;
     ax[body] = node_fx_[n] * inverse_mass_[body];
     ay[body] = node_fy_[n] * inverse_mass_[body] - weight_[body];
   }
-  if (!friction_) return;
-  double* turning = dydt.data() + 4 * bodies_;
-  for (int i = 0; i < parts_.disc.count(); ++i) turning[i] = disc_load_[i].torque * inverse_inertia_[i];
 }
 
 void System::add_link_forces(double* work) const {
@@ -209,13 +266,8 @@ void System::add_link_forces(double* work) const {
   if (work) work[link_damping] = damping;
 }
 
-void System::add_to_ledger(const TouchBlock& c, double* work, double t) const {
-  ContactPowers sum{work[contact_viscous], work[friction_work], work[rolling_work], work[stiffening]};
-  kernel_->add_powers(c, friction_, sum);
-  work[contact_viscous] = sum.viscous;
-  work[friction_work] = sum.friction;
-  work[rolling_work] = sum.rolling;
-  work[stiffening] = sum.stiffening;
+void System::add_to_ledger(const TouchBlock& c, int chunk, double t, double* work) const {
+  kernel_->add_powers(c, friction_, chunk_powers_[chunk]);
   if (c.kind != disc_plate && c.kind != node_plate) return;
   for (int k = 0; k < c.count; ++k) {
     const PlateAt at = plate_at(c.b[k], t);

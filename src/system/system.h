@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "methods/ode.h"
+#include "methods/parallel.h"
 #include "system/kernel.h"
 #include "system/parts.h"
 #include "system/search.h"
@@ -43,6 +44,7 @@ class System : public OdeSystem {
   std::size_t size() const override { return static_cast<std::size_t>(ledger_ + (keeps_ledger_ ? ledger_entries : 0)); }
   std::size_t positions() const override { return 2 * static_cast<std::size_t>(bodies_); }
   std::size_t controlled() const override { return static_cast<std::size_t>(ledger_); }
+  int threads() const override { return threads_; }
   std::string velocity_dependence() const override;
   void rhs(double t, const State& y, State& dydt) const override;
 
@@ -103,21 +105,29 @@ class System : public OdeSystem {
   // Forces alone, the ledger's terms too, or all that a block names of those that touch.
   enum class Asker { rates, ledger, onlooker };
 
-  Asker asker() const { return keeps_ledger_ ? Asker::ledger : Asker::rates; }
   void place_nodes(const State& y) const;
   Placement placement(double t, const State& y) const;
+  void look_around(double t, const State& y) const;
   void pack_discs(const State& y) const;
+  void pair_up(TouchBlock& c, const State& y) const;
   template <class Sink>
-  void for_each_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const;
-  void fill_discs(int first, int last, Slots* slots) const;
+  void for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const;
+  template <class Sink>
+  void for_each_flat_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const;
+  template <class Also>
+  void add_up(double t, const State& y, Slots* slots, State& dydt, Also&& also) const;
+  void fetch_ahead(const State& y, int first, int last) const;
+  void see_pairs(const State& y, Slots& slots) const;
+  void fill_discs(TouchBlock& c, const State& y, int first, int last, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
-  void take_springs(const State& y) const;
+  void take_springs(TouchBlock& c, const State& y) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
-  void add_contacts(const TouchBlock& block, double t, State& dydt) const;
+  void add_contacts(const TouchBlock& block, int chunk, double t, State& dydt) const;
+  void join_chunks() const;
   void finish_rates(State& dydt) const;
   void add_link_forces(double* work) const;
-  void add_to_ledger(const TouchBlock& block, double* work, double t) const;
+  void add_to_ledger(const TouchBlock& block, int chunk, double t, double* work) const;
   void return_springs(double t, State& y, JumpReport& report);
   double lattice_contact_energy(double t, const State& y) const;
   void tear_links(double t, State& y, JumpReport& report);
@@ -128,6 +138,8 @@ class System : public OdeSystem {
   double lever_ = 1;  // 1: arm to the contact point, 0: whole radius
   double rolling_smoothing_ = 0;
   bool friction_ = false, rolling_ = false, keeps_ledger_ = false, preparing_ = false;
+  int threads_ = 1;
+  bool alike_ = false;  // all discs have the same radius, mass and material
   int bodies_ = 0, springs_ = 0, spring_count_ = 0, ledger_ = 0;
   std::vector<double> inverse_mass_, inverse_inertia_, weight_;  // by body
 
@@ -135,46 +147,84 @@ class System : public OdeSystem {
   std::vector<char> torn_;
   std::vector<int> intact_;  // links, ascending
   Slots slots_;
-  std::vector<double> relaxed_;  // room for the springs of a jump
+  std::vector<double> relaxed_;         // room for the springs of a jump
+  std::vector<double> chunk_returned_;  // J, and for what it frees, chunk by chunk
 
   // Caches: they hold nothing that a result depends on.
   mutable NeighbourSearch search_;
   mutable Nodes nodes_;
   mutable std::vector<double> node_fx_, node_fy_;
   mutable std::vector<TouchBlock::DiscPair> first_of_pair_, second_of_pair_;
-  mutable std::vector<DiscLoad> disc_load_;
-  mutable TouchBlock block_;
+  mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each spill
+  mutable std::vector<ContactPowers> chunk_powers_;  // of the pairs of each chunk; the first takes all in the end
+  mutable std::vector<TouchBlock> disc_block_;       // one for each thread
+  mutable TouchBlock flat_block_;
   double known_time_ = 0;
   State known_, known_rates_;  // the flow at the state that the last jump left; empty: not known
 };
 
+// Calls sink(block, chunk), for different chunks at once unless an onlooker asks.
 template <class Sink>
-void System::for_each_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const {
-  place_nodes(y);
-  search_.update(parts_, placement(t, y));
-  pack_discs(y);
+void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const {
   const ContactModel model{parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
-  for (int kind = 0; kind < contact_kinds; ++kind) {
+  const int chunks = static_cast<int>(search_.chunks.size());
+  if (slots && chunks > 1) see_pairs(y, *slots);
+  in_parallel(asker == Asker::onlooker ? 1 : threads_, chunks, [&](int number, int thread) {
+    const Chunk& chunk = search_.chunks[number];
+    TouchBlock& c = disc_block_[thread];
+    int spill = parts_.disc.count() + chunk.first_spill;
+    for (int first = chunk.first_pair; first < chunk.last_pair; first += TouchBlock::capacity) {
+      const int last = std::min(chunk.last_pair, first + TouchBlock::capacity);
+      if (chunks > 1) fetch_ahead(y, first, last);
+      fill_discs(c, y, first, last, slots);
+      if (asker == Asker::onlooker) c.keep_touching();
+      if (c.count == 0) continue;
+      take_springs(c, y);
+      kernel_->evaluate(c, model, slots != nullptr, asker != Asker::rates);
+      if (chunks > 1) {
+        for (int k = 0; k < c.count; ++k) c.load_of_b[k] = c.b[k] < chunk.last_disc ? c.b[k] : spill++;
+      }
+      sink(static_cast<const TouchBlock&>(c), number);
+    }
+  });
+}
+
+template <class Sink>
+void System::for_each_flat_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const {
+  const ContactModel model{parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
+  for (int kind = disc_disc + 1; kind < contact_kinds; ++kind) {
     const int count = search_.candidates[kind].count();
     for (int first = 0; first < count; first += TouchBlock::capacity) {
-      const int last = std::min(count, first + TouchBlock::capacity);
-      if (kind == disc_disc) {
-        fill_discs(first, last, slots);
-      } else {
-        fill_flat(static_cast<ContactKind>(kind), first, last, t, y, slots);
-      }
-      if (kind == disc_disc && asker == Asker::onlooker) block_.keep_touching();
-      if (block_.count == 0) continue;
-      take_springs(y);
-      kernel_->evaluate(block_, model, slots != nullptr, asker != Asker::rates);
-      sink(static_cast<const TouchBlock&>(block_));
+      fill_flat(static_cast<ContactKind>(kind), first, std::min(count, first + TouchBlock::capacity), t, y, slots);
+      if (flat_block_.count == 0) continue;
+      take_springs(flat_block_, y);
+      kernel_->evaluate(flat_block_, model, slots != nullptr, asker != Asker::rates);
+      sink(static_cast<const TouchBlock&>(flat_block_));
     }
   }
 }
 
 template <class Sink>
 void System::for_each_touch(double t, const State& y, Sink&& sink) const {
-  for_each_block(t, y, nullptr, Asker::onlooker, sink);
+  look_around(t, y);
+  for_each_disc_block(y, nullptr, Asker::onlooker, [&](const TouchBlock& c, int /*chunk*/) { sink(c); });
+  for_each_flat_block(t, y, nullptr, Asker::onlooker, sink);
+}
+
+// The rates, and also(block, chunk) of each block; those that are of no chunk count to the first, after all others.
+template <class Also>
+void System::add_up(double t, const State& y, Slots* slots, State& dydt, Also&& also) const {
+  const Asker asker = keeps_ledger_ ? Asker::ledger : Asker::rates;
+  const auto add = [&](const TouchBlock& c, int chunk) {
+    also(c, chunk);
+    add_contacts(c, chunk, t, dydt);
+  };
+  look_around(t, y);
+  begin_rates(y, dydt);
+  for_each_disc_block(y, slots, asker, add);
+  join_chunks();
+  for_each_flat_block(t, y, slots, asker, [&](const TouchBlock& c) { add(c, 0); });
+  finish_rates(dydt);
 }
 
 }  // namespace furrow

@@ -47,32 +47,72 @@ void System::pack_discs(const State& y) const {
   }
 }
 
+void System::pair_up(TouchBlock& c, const State& y) const {
+  if (search_.chunks.size() <= 1) return kernel_->pair_up(c, first_of_pair_.data(), second_of_pair_.data());
+  const double* at = y.data();
+  kernel_->pair_up_scattered(c, {at, at + bodies_, at + 2 * bodies_, at + 3 * bodies_,
+                                 friction_ ? at + 4 * bodies_ : nullptr, parts_.disc.radius.data()});
+}
+
+// Calls for the discs that the pairs after the next blocks need: the second ones of them lie about in memory.
+void System::fetch_ahead(const State& y, int first, int last) const {
+  constexpr int ahead = 512, a_line = 8;  // discs
+  const std::vector<int>& a = search_.candidates[disc_disc].a;
+  const int end = std::min(parts_.disc.count(), (a[last - 1] + ahead) & -a_line);
+  for (int i = (a[first] + ahead) & -a_line; i < end; i += a_line) {
+    for (int field = 0; field < (friction_ ? 5 : 4); ++field) __builtin_prefetch(y.data() + field * bodies_ + i);
+    __builtin_prefetch(parts_.disc.radius.data() + i);
+    for (int load = 0; load < a_line; load += 2) __builtin_prefetch(disc_load_.data() + i + load, 1);
+  }
+}
+
+// Many chunks: what takes or gives back slots does so first, in the order of the pairs.
+void System::see_pairs(const State& y, Slots& slots) const {
+  Candidates& list = search_.candidates[disc_disc];
+  constexpr int capacity = TouchBlock::capacity;
+  const int blocks = (list.count() + capacity - 1) / capacity;
+  std::vector<char> changes(static_cast<std::size_t>(blocks));
+  in_parallel(threads_, blocks, [&](int block, int thread) {
+    TouchBlock& c = disc_block_[thread];
+    const int first = block * capacity;
+    c.count = std::min(list.count() - first, capacity);
+    std::copy(&list.a[first], &list.a[first] + c.count, &c.a[0]);
+    std::copy(&list.b[first], &list.b[first] + c.count, &c.b[0]);
+    std::copy(&list.slot[first], &list.slot[first] + c.count, &c.slot[0]);
+    pair_up(c, y);
+    changes[block] = kernel_->note_near(c, &list.near_at[first], slots.nearness) ? 1 : 0;
+  });
+  for (int k = 0; k < list.count(); ++k) {
+    if (changes[k / capacity] != 0) slots.see(list, k, false);
+  }
+}
+
 // The block of the candidates [first, last). Discs that do not touch stay in it: with a list so close, leaving them out
 // costs more.
-void System::fill_discs(int first, int last, Slots* slots) const {
+void System::fill_discs(TouchBlock& c, const State& y, int first, int last, Slots* slots) const {
   Candidates& list = search_.candidates[disc_disc];
-  TouchBlock& c = block_;
-  c.kind = disc_disc;
   c.count = last - first;
   const auto take = [&](const auto& from, auto& to) { std::copy(&from[first], &from[first] + c.count, &to[0]); };
   take(list.a, c.a);
   take(list.b, c.b);
   take(list.slot, c.slot);
-  take(list.law, c.law);
-  take(list.reduced_radius, c.reduced_radius);
-  take(list.reduced_mass, c.reduced_mass);
-  kernel_->pair_up(c, first_of_pair_.data(), second_of_pair_.data());
-  if (slots && kernel_->note_near(c, &list.near_at[first], slots->nearness)) {
+  if (!alike_) {
+    take(list.law, c.law);
+    take(list.reduced_radius, c.reduced_radius);
+    take(list.reduced_mass, c.reduced_mass);
+  }
+  pair_up(c, y);
+  if (slots && search_.chunks.size() <= 1 && kernel_->note_near(c, &list.near_at[first], slots->nearness)) {
     for (int k = first; k < last; ++k) slots->see(list, k, false);
     take(list.slot, c.slot);
   }
 }
 
-void System::take_springs(const State& y) const {
+void System::take_springs(TouchBlock& c, const State& y) const {
   const double* spring = y.data() + springs_;
-  for (int k = 0; k < block_.count; ++k) {
-    const int slot = block_.slot[k];
-    block_.spring[k] = slot < 0 ? 0 : spring[slot];
+  for (int k = 0; k < c.count; ++k) {
+    const int slot = c.slot[k];
+    c.spring[k] = slot < 0 ? 0 : spring[slot];
   }
 }
 
@@ -97,7 +137,7 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
 // Contacts of a disc or node with something that does not spin: wall, plate, lattice.
 void System::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
   Candidates& list = search_.candidates[kind];
-  TouchBlock& c = block_;
+  TouchBlock& c = flat_block_;
   c.kind = kind;
   const Placement now = placement(t, y);
   const bool disc = of_disc(kind);

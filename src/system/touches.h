@@ -25,6 +25,7 @@ struct TouchBlock {
   ContactKind kind = disc_disc;
   int count = 0;
   Lanes<int> a{}, b{}, law{};
+  Lanes<int> load_of_b{};                            // disc-disc: where the load of b is summed: b, or a spill
   Lanes<int> slot{};                                 // of the tangential spring; -1: none
   Lanes<int> segment{};                              // disc-lattice: index into Parts::border
   alignas(64) Lanes<double> touching{};              // 1, or 0 and then all forces are 0

@@ -1,6 +1,6 @@
 // Prints one line "scene hash" for a short run of each scene of the paper and some others, settled and moved for a
 // while with everything on. Built with other compilers and flags, and run with other settings of the neighbour search,
-// it must print the same lines.  Usage: state_hashes DIRECTORY_OF_SCENES [brute_force]
+// it must print the same lines.  Usage: state_hashes DIRECTORY_OF_SCENES [brute_force | threads]
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -33,6 +33,19 @@ Scene bouncing(Scene scene) {
   return scene;
 }
 
+// A bed in which the numbers of neighbours lie far apart, just large enough for two chunks.
+Scene wide(Scene scene) {
+  scene.settle.reset();
+  scene.plate.clear();
+  furrow::Packing& packing = scene.packing[0];
+  packing.count = furrow::NeighbourSearch::discs_a_chunk + 400;
+  packing.lower_left = {0, 0};
+  packing.upper_right = {3, 1.5};
+  scene.wall.back().point.x = 3;
+  scene.time.end = 0.02;
+  return scene;
+}
+
 std::uint64_t hash_after_run(const Scene& scene) {
   furrow::Prepared prepared = furrow::prepare(scene);
   const auto method =
@@ -50,9 +63,10 @@ void print(const char* name, const char* variant, const Scene& scene) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool brute_force = argc == 3 && std::string(argv[2]) == "brute_force";
-  if (argc != 2 && !brute_force) {
-    std::fprintf(stderr, "usage: state_hashes DIRECTORY_OF_SCENES [brute_force]\n");
+  const std::string setting = argc == 3 ? argv[2] : "";
+  const bool brute_force = setting == "brute_force";
+  if (argc != 2 && !brute_force && setting != "threads") {
+    std::fprintf(stderr, "usage: state_hashes DIRECTORY_OF_SCENES [brute_force | threads]\n");
     return 2;
   }
   const std::filesystem::path directory = argv[1];
@@ -78,5 +92,8 @@ int main(int argc, char** argv) {
     scene.time.end = std::min(scene.time.end, 0.002);
     print(name, "sphere", scene);
   }
+  Scene bed = wide(furrow::read_scene(directory / "scenario_2.toml"));
+  if (setting == "threads") bed.search.threads = 3;
+  print("wide bed", "pece", bed);
   return 0;
 }

@@ -1,0 +1,48 @@
+// Loops shared by threads. The pieces are the same for any number of threads, and whoever sums over them does so in
+// their order, so no bit depends on that number.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+
+namespace furrow {
+
+// Calls work(argument, piece, thread) for each piece in [0, pieces), on so many threads; which one takes which piece is
+// left open. work must not throw.
+void share_out(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument);
+
+// Calls work(piece, thread) for each piece; in their order if there is one thread.
+template <class Work>
+void in_parallel(int threads, int pieces, Work&& work) {
+  using Plain = std::remove_reference_t<Work>;
+  if (threads == 1 || pieces == 1) {
+    for (int k = 0; k < pieces; ++k) work(k, 0);
+  } else {
+    share_out(
+        threads, pieces, [](void* w, int piece, int thread) { (*static_cast<Plain*>(w))(piece, thread); },
+        std::addressof(work));
+  }
+}
+
+// Calls pass(first, last) for ranges that together are [0, count).
+template <class Pass>
+void in_ranges(int threads, std::size_t count, Pass&& pass) {
+  constexpr std::size_t length = 1 << 15;
+  if (threads == 1) return pass(std::size_t{0}, count);
+  in_parallel(threads, static_cast<int>((count + length - 1) / length), [&](int piece, int /*thread*/) {
+    const std::size_t first = length * static_cast<std::size_t>(piece);
+    pass(first, std::min(count, first + length));
+  });
+}
+
+// to = from; they have the same size.
+template <class Vector>
+void copy_in_ranges(int threads, const Vector& from, Vector& to) {
+  in_ranges(threads, from.size(), [&](std::size_t first, std::size_t last) {
+    std::copy(from.data() + first, from.data() + last, to.data() + first);
+  });
+}
+
+}  // namespace furrow
