@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "output/build_info.h"
+#include "output/first_touch.h"
 #include "output/frames.h"
 #include "output/machine.h"
 #include "scene/read.h"
@@ -254,8 +255,10 @@ RunOutcome run_with_files(const RunRequest& request) {
                      .stop = [&](double t) { return series.next_stop(t); },
                      .locate = time.locate};
   long steps = 0;
+  FirstTouch touch;
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
     series.see(system, t, now, report);
+    touch.see(system, t, now);
     return ++steps % 64 != 0 || request.progress("running", t, time.end);
   });
   series.close(end.ending != Ending::stopped);
@@ -269,6 +272,8 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["state_hash"] = hexadecimal(system.state_hash(y));
   json["greatest_relative_overlap"] = series.greatest_overlap().relative;
   json["greatest_overlap_between"] = series.greatest_overlap().between;
+  json["plate_meets_lattice"] = nullptr;
+  if (std::isfinite(touch.time())) json["plate_meets_lattice"] = touch.time();
   const bool finished = end.ending == Ending::finished, stopped = end.ending == Ending::stopped;
   return conclude(finished ? "finished" : stopped ? "interrupted" : "diverged", end.reason, end.time);
 }

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "output/first_touch.h"
 #include "page/embedded.h"
 #include "run_directory.h"
 
@@ -126,13 +127,29 @@ TEST(Observables, WholeLatticeIsNotSplit) {
   EXPECT_EQ(measure(run, "largest_force_after_split").words, "no split");
 }
 
-TEST(Observables, PlateMeetsLatticeBetweenTwoSnapshots) {
+TEST(Observables, PlateMeetsLatticeWhereTheRunSaysSo) {
   RunDirectory directory;
   directory.force(two_contacts);
-  EXPECT_EQ(measure(read(directory), "plate_meets_lattice").words, "in no snapshot");
-  directory.write("frames/plates_001.csv",
-                  "left [m],lower [m],width [m],height [m],vx [m/s],vy [m/s]\n-0.009,0.015,0.01,0.1,0.1,0\n");
-  EXPECT_EQ(measure(read(directory), "plate_meets_lattice").words, "between 0 and 50 mm");
+  const auto met = [&](const std::string& json) {
+    directory.write("run.json", json);
+    return measure(read(directory), "plate_meets_lattice");
+  };
+  EXPECT_NEAR(met(R"({"steps": 1, "plate_meets_lattice": 0.25})").value, 25, 1e-12) << "at 100 mm/s";
+  EXPECT_EQ(met(R"({"steps": 1, "plate_meets_lattice": null})").words, "not by the end");
+  const Measured unknown = met(R"({"steps": 1})");
+  EXPECT_TRUE(std::isnan(unknown.value) && unknown.words.empty()) << "a run of before it was recorded";
+}
+
+TEST(Observables, FirstTouchIsWhereANodeIsInThePlate) {
+  const System system(test::three_node_scene());  // the plate's right side is 10 mm or more from the nodes, 100 mm/s
+  const State y = system.initial_state();
+  const double gap = system.nodes(y).x[1] - (system.plate_at(0, 0).left + system.parts().plate[0].width);
+  ASSERT_GT(gap, 0);
+  FirstTouch touch;
+  touch.see(system, 0.99 * gap / 0.1, y);
+  EXPECT_TRUE(std::isinf(touch.time()));
+  for (const double t : {1.01 * gap / 0.1, 1.02 * gap / 0.1}) touch.see(system, t, y);
+  EXPECT_EQ(touch.time(), 1.01 * gap / 0.1);
 }
 
 TEST(Observables, InterruptedRunIsReadFromItsPartialFiles) {

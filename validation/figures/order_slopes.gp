@@ -1,5 +1,5 @@
 # Error against step, a panel for each kind of force. Given: panels, blocks points (panel curve step error), theory (panel
-# step error step error), panel (panel low high title), labels (panel step error slope), names (curve 0 name, underscores escaped).
+# step error step error), panel (panel low high title), labels (panel step error slope), names (curve 0 name).
 across = 4
 down = ceil((panels + 1) / across)
 wide = 1080.0
@@ -63,7 +63,7 @@ set xrange [0:across - column_of]
 set yrange [7:-0.5]
 plot for [k=0:5] $names using ($1 == k ? 0 : NaN):0:(0.25):(0) with vectors nohead ls k + 1, \
      for [k=0:5] $names using ($1 == k ? 0.125 : NaN):0 with points ls k + 1, \
-     $names using (0.3):0:(strcol(3)) with labels left font ',14', \
+     $names using (0.3):0:(strcol(3)) with labels noenhanced left font ',14', \
      '+' using (0):(6):(0.25):(0) every ::0::0 with vectors nohead ls 9, \
      '+' using (0.3):(6):('predicted slope') every ::0::0 with labels left font ',14'
 unset multiplot

@@ -38,7 +38,8 @@ do for [k = 1:panels] {
     set ytics ('' 0.1, '' 1)
     unset ylabel
   }
-  set label 1 value(sprintf('title_%d', k)) at graph 0, 1.06 left noenhanced font ',13'
+  title = value(sprintf('title_%d', k))
+  set label 1 title at graph 0, 1.06 left noenhanced font (strlen(title) > 26 ? ',8.5' : ',13')
   eval sprintf("plot $theory_%d using 1:(0.03):2 with filledcurves lc rgb '#cfe5f2' fs solid noborder, \
     $theory_%d using 1:2 with lines lc rgb '#0072b2' lw 1.5, \
     $measured_%d using 1:2 with points pt 6 ps 0.55 lw 1.3 lc rgb '#d55e00', \

@@ -26,8 +26,13 @@ inline std::string shown(double value) {
     digits.erase(digits.find_last_not_of('0') + 1);
     if (digits.back() == '.') digits.pop_back();
   }
-  return (value < 0 ? "−" : "") + digits + (scientific ? " × 10<sup>" + std::to_string(power) + "</sup>" : "");
+  const std::string exponent = (power < 0 ? "−" : "") + std::to_string(std::abs(power));
+  return (value < 0 ? "−" : "") + digits + (scientific ? " × 10<sup>" + exponent + "</sup>" : "");
 }
+
+// Numbers within text as books print them: "-1" with a minus sign, "2e-06" as a power of ten, "1 ± 2" in one line, and
+// "0.500000", as a program writes it, without what says nothing.
+std::string typeset(std::string html);
 
 inline std::string with_unit(double value, const std::string& unit) {
   return std::isfinite(value) && !unit.empty() ? shown(value) + " " + unit : shown(value);

@@ -155,30 +155,6 @@ std::string place_of(const Parts& parts, int link) {
   return node(parts.link.a[link]) + " to " + node(parts.link.b[link]);
 }
 
-bool linked_node_in_plate(const Frame& frame) {
-  const auto left = frame.plates.numbers("left [m]"), lower = frame.plates.numbers("lower [m]"),
-             width = frame.plates.numbers("width [m]"), height = frame.plates.numbers("height [m]");
-  for (const std::string end : {"1", "2"}) {
-    const auto x = frame.links.numbers("x" + end + " [m]"), y = frame.links.numbers("y" + end + " [m]");
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      for (std::size_t p = 0; p < left.size(); ++p) {
-        if (x[k] > left[p] && x[k] < left[p] + width[p] && y[k] > lower[p] && y[k] < lower[p] + height[p]) return true;
-      }
-    }
-  }
-  return false;
-}
-
-Measured plate_meets_lattice(const RunRecord& run) {
-  const auto mm = [&](std::size_t frame) { return std::to_string(std::lround(run.frames[frame].mm)); };
-  for (std::size_t k = 0; k < run.frames.size(); ++k) {
-    if (linked_node_in_plate(run.frames[k])) {
-      return {.words = k == 0 ? "at the start" : "between " + mm(k - 1) + " and " + mm(k) + " mm"};
-    }
-  }
-  return {.words = "in no snapshot"};
-}
-
 // For what need not happen in a run at all, other than what a run does not say.
 Measured if_ever(double mm) { return {mm, std::isnan(mm) ? "not by the end" : ""}; }
 
@@ -191,7 +167,7 @@ Measured lattice_observable(const RunRecord& run, const std::string& name) {
   if (name == "first_structural_tear") return if_ever(any ? first->mm : nan);
   if (name == "first_structural_tear_place") return {.words = any ? place_of(run.lattices, first->link) : "none torn"};
   if (name == "fixed_links_torn") return if_ever(fixed_links_torn(run));
-  if (name == "plate_meets_lattice") return plate_meets_lattice(run);
+  if (name == "plate_meets_lattice") return run.met ? if_ever(*run.met) : Measured{};
 
   const Split split = split_of(run);
   if (name == "split") return if_ever(split.mm);
@@ -216,7 +192,8 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
   if (name == "force_free_share") return {force_free_share(c)};
   if (name == "growth_of_maxima") return {growth_of_maxima(c).factor};
   if (name == "exponential_share") return {growth_of_maxima(c).explained};
-  if (name == "finished") return {run.finished() ? 1.0 : 0.0};
+  if (name == "finished")
+    return {run.finished() ? 1.0 : 0.0, run.finished() ? "comes to its end" : "does not come to its end"};
   if (const auto seen = measure_snapshots(run, name)) return *seen;
   const Contacts contacts = contacts_of(c);
   const double first_end = std::isnan(contacts.ended) ? c.end() : contacts.ended;

@@ -19,8 +19,20 @@ namespace {
 
 // run.json of all runs, one row a fact; what all runs share fills one cell.
 std::string how_made(const std::vector<RunRecord>& runs) {
-  const std::map<std::string, std::string> units{
-      {"step", " [s]"}, {"end", " [s]"}, {"ended_at", " [s]"}, {"settling_time", " [s]"}, {"surface", " [m]"}};
+  const std::map<std::string, std::string> labels{{"step", "step [s]"},
+                                                  {"end", "end [s]"},
+                                                  {"ended_at", "ended at [s]"},
+                                                  {"settling_time", "settling time [s]"},
+                                                  {"settling_cpu_seconds", "settling, CPU time [s]"},
+                                                  {"surface", "height of the settled bed [m]"},
+                                                  {"state_size", "numbers in the state"},
+                                                  {"rhs_evaluations", "evaluations of the right-hand side"},
+                                                  {"rejected", "rejected steps"},
+                                                  {"cpu_seconds", "CPU time [s]"},
+                                                  {"wall_seconds", "wall-clock time [s]"},
+                                                  {"greatest_relative_overlap", "greatest overlap, of a radius"},
+                                                  {"greatest_overlap_between", "where that is"},
+                                                  {"plate_meets_lattice", "plate meets lattice [s]"}};
   if (runs.empty()) return {};
   const auto fewer = [](const RunRecord& a, const RunRecord& b) { return a.facts.size() < b.facts.size(); };
   std::string rows = "<tr><th></th>";
@@ -39,7 +51,7 @@ std::string how_made(const std::vector<RunRecord>& runs) {
     const bool shared = std::count(cells.begin(), cells.end(), cells[0]) == static_cast<long>(cells.size());
     if (shared) row = "<td colspan=\"" + std::to_string(cells.size()) + "\">" + cells[0] + "</td>";
     for (std::size_t k = 0; k < cells.size() && !shared; ++k) row += element("td", cells[k]);
-    rows += element("tr", element("th", escaped(label) + (units.contains(key) ? units.at(key) : "")) + row);
+    rows += element("tr", element("th", labels.contains(key) ? labels.at(key) : escaped(label)) + row);
   }
   return rows;
 }

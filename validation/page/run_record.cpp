@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -115,6 +116,8 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
   run.force = force_curve(Table(directory / "plate_force.csv"));
   run.energy = Table(directory / "energy.csv");
   run.torn = torn_links(Table(directory / "events.csv"), run.lattices);
+  if (const Fact* met = run.fact("plate_meets_lattice"))
+    run.met = met->texts.empty() ? nan : plate_speed(run) * std::strtod(met->texts[0].c_str(), nullptr);
   const Table list(frames / "frames.csv");
   const auto displacement = list.numbers("displacement [m]");
   for (std::size_t k = 0; k < list.rows(); ++k) {

@@ -46,6 +46,7 @@ struct RunRecord {
   ForceCurve force;
   Table energy;
   std::vector<TornLink> torn;  // in order of time
+  std::optional<double> met;   // mm, when the plate first touches a lattice; NaN: never; none: not recorded
   std::vector<Frame> frames;
 
   const Fact* fact(std::string_view key) const;  // null if there is none

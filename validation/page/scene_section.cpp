@@ -31,7 +31,7 @@ std::string ending(const RunRecord& run) {
                    "failed");
   }
   if (const Fact* told = run.fact("warnings")) {
-    for (const std::string& text : told->texts) warnings += element("p", "Warning: " + escaped(text));
+    for (const std::string& text : told->texts) warnings += element("p", "Warning: " + typeset(escaped(text)) + ".");
   }
   return html + (warnings.empty() ? "" : element("div", warnings, "warnings"));
 }

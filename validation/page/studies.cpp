@@ -50,36 +50,47 @@ std::vector<Result> results_in(const fs::path& directory, StudyPlace place_on_pa
   return results;
 }
 
-std::string text(const ordered_json& entry, const char* key) { return escaped(entry.at(key).get<std::string>()); }
+std::string text(const ordered_json& entry, const char* key) {
+  return typeset(escaped(entry.at(key).get<std::string>()));
+}
 
 // Long names may break at their underscores.
 std::string breakable(const std::string& words) {
   std::string html;
   for (const char c : escaped(words)) html += c == '_' ? std::string("_<wbr>") : std::string(1, c);
-  return html;
+  return typeset(html);
 }
 
-std::string cell(const ordered_json& value) {
+// Words in a column of numbers stand to the right only if they are one.
+std::string cell(const ordered_json& value, bool in_numbers) {
   if (value.is_number()) return element("td", shown(value.get<double>()), "number");
-  return element("td", value.is_string() ? breakable(value.get<std::string>()) : missing);
+  if (!value.is_string()) return element("td", missing, in_numbers ? "number" : "");
+  const std::string words = value.get<std::string>();
+  return element("td", breakable(words), in_numbers && words.find(' ') == std::string::npos ? "number" : "");
 }
+
+constexpr std::size_t wide = 9;  // columns: more go into the page in small print only
 
 // A column whose first row is a number is set to the right, its heading too.
 std::string table_of(const ordered_json& part) {
   const ordered_json& rows = part.at("rows");
+  const std::size_t columns = part.at("head").size();
+  const auto is_number = [&](std::size_t k) { return !rows.empty() && rows[0].size() > k && rows[0][k].is_number(); };
   std::string head, body;
-  for (std::size_t k = 0; k < part.at("head").size(); ++k) {
-    const bool number = !rows.empty() && rows[0].size() > k && rows[0][k].is_number();
-    head += number ? "<th class=\"number\">" : "<th>";
-    head += escaped(part.at("head")[k].get<std::string>()) + "</th>";
+  for (std::size_t k = 0; k < columns; ++k) {
+    head += is_number(k) ? "<th class=\"number\">" : "<th>";
+    head += breakable(part.at("head")[k].get<std::string>()) + "</th>";
   }
   for (const ordered_json& row : rows) {
     std::string cells;
-    for (const ordered_json& value : row) cells += cell(value);
+    for (std::size_t k = 0; k < std::max(columns, row.size()); ++k)
+      cells += k < row.size() ? cell(row[k], is_number(k)) : element("td", "");
     body += element("tr", cells);
   }
-  return "<div class=\"scroll\"><table class=\"study\"><caption>" + text(part, "caption") + "</caption>" +
-         element("thead", element("tr", head)) + element("tbody", body) + "</table></div>\n";
+  const std::string caption = text(part, "caption");
+  return std::string("<div class=\"scroll\"><table class=\"study") + (columns >= wide ? " wide" : "") + "\">" +
+         (caption.empty() ? "" : element("caption", caption)) + element("thead", element("tr", head)) +
+         element("tbody", body) + "</table></div>\n";
 }
 
 std::string figure_of(const ordered_json& part, const fs::path& out) {

@@ -1,6 +1,7 @@
 #include "page/verification.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -32,17 +33,27 @@ double number(const ordered_json& value) { return value.is_number() ? value.get<
 
 std::string text(const ordered_json& entry, const char* key) { return escaped(entry.at(key).get<std::string>()); }
 
+// A test's name may break where a word of it begins.
+std::string breakable(const std::string& name) {
+  std::string html;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    const bool begins = k > 0 && std::isupper(static_cast<unsigned char>(name[k])) != 0;
+    html += (begins ? "<wbr>" : "") + std::string(1, name[k]);
+  }
+  return html;
+}
+
 std::string check_row(const ordered_json& check) {
   return element(
       "tr",
-      element("td", text(check, "name") + "<small>" + text(check, "test") + "</small>") +
+      element("td", typeset(text(check, "name")) + "<small>" + breakable(text(check, "test")) + "</small>") +
           element("td", shown(number(check["want"])), "number") + element("td", shown(number(check["got"])), "number") +
           element("td", shown(number(check["error"])), "number") +
           element("td", shown(number(check["tolerance"])) + "<small>" + text(check, "kind") + "</small>", "number") +
           element("td", check["good"] ? shown(100 * number(check["of_limit"])) + " %" : "<strong>FAILED</strong>",
                   "number") +
-          element("td", text(check, "reason") + "<small>" + text(check, "sentence") + " (" + text(check, "file") +
-                            ")</small>"));
+          element("td", typeset(text(check, "reason")) + "<small>" + text(check, "sentence") + " (" +
+                            text(check, "file") + ")</small>"));
 }
 
 std::string check_table(const std::vector<ordered_json>& checks) {

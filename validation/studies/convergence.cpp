@@ -22,6 +22,9 @@ struct Case {
   std::string scene;
   Reading reading;
   std::string name() const { return scene + (scene == "scenario_1" ? "" : ", " + to_string(reading)); }
+  std::string title() const {  // "Scene 2, discs"
+    return "Scene " + scene.substr(9) + (scene == "scenario_1" ? "" : ", " + to_string(reading) + "s");
+  }
 };
 
 struct One {
@@ -117,7 +120,8 @@ struct Row {
 std::vector<Row> rows_of(const std::string& scene) {
   std::vector<Row> rows{{"mean_force", "mean force [N]"}};
   for (const Statement& s : the_paper().statements) {
-    if (s.scene == scene) rows.push_back({s.id, s.quantity + (s.unit.empty() ? "" : " [" + s.unit + "]"), s.value});
+    if (s.scene == scene && s.observable != "finished")
+      rows.push_back({s.id, s.quantity + (s.unit.empty() ? "" : " [" + s.unit + "]"), s.value});
   }
   return rows;
 }
@@ -145,11 +149,7 @@ double spread_of(const Results& results, const Plan& plan, const Case& c, const 
   return spread;
 }
 
-std::string text_of(double step) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0e s", step);
-  return text;
-}
+std::string text_of(double step) { return number(std::round(1e7 * step) / 1e4) + " ms"; }
 
 // Whole newtons: "1135", not "1.13e+03".
 std::string rounded(double force) {
@@ -195,12 +195,25 @@ Tally add_case(Report& report, const Results& results, const Plan& plan, const C
     tally.settled += std::isnan(from) ? 0 : 1;
     tally.at_papers_step += from >= papers_step ? 1 : 0;
   }
-  report.heading(c.name() + (c.scene == "scenario_1" ? "" : " reading of the mass"));
+  report.heading(c.title());
   report.table("Numbers by step and method, all from the same start.", head, rows);
   report.text(std::to_string(tally.settled) + " of these " + std::to_string(tally.numbers) +
               " numbers do not depend on a step that is fine enough; " + std::to_string(tally.at_papers_step) +
               " do not depend on it at the paper's step already.");
   return tally;
+}
+
+std::string in_plain_words(const std::string& reading, const Tally& tally) {
+  const auto count = [](int n) { return std::to_string(n); };
+  std::string text = "In plain words, for " + reading + ": ";
+  if (tally.at_papers_step == tally.numbers)
+    return text + "all " + count(tally.numbers) + " numbers are settled at the paper's step: they are the model's.";
+  text += tally.settled == tally.numbers ? "all " + count(tally.numbers) + " numbers settle"
+                                         : count(tally.settled) + " of " + count(tally.numbers) + " numbers settle";
+  text += " when the step is made fine enough, and so are the model's; at the paper's step " +
+          count(tally.at_papers_step) + " are settled, the other " + count(tally.numbers - tally.at_papers_step) +
+          " are there the step's.";
+  return text;
 }
 
 Json forces_by_step(const Results& results, const Plan& plan, const Case& c, const std::string& id) {
@@ -242,10 +255,10 @@ Json convergence(const Settings& settings) {
     const double at_papers = results.value({c, "pece", papers_step}, id);
     const double finest = results.value({c, "pece", plan.steps.back()}, id);
     if (std::isfinite(finest)) {
-      report.text(c.name() + (std::isfinite(at_papers)
-                                  ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
-                                        rounded(finest) + " N at " + text_of(plan.steps.back()) + "."
-                                  : ": diverges at the paper's step."));
+      report.text(c.title() + (std::isfinite(at_papers)
+                                   ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
+                                         rounded(finest) + " N at " + text_of(plan.steps.back()) + "."
+                                   : ": diverges at the paper's step."));
     }
     const Tally tally = add_case(details, results, plan, c);
     all.add(tally);
@@ -253,13 +266,7 @@ Json convergence(const Settings& settings) {
     blocks["forces_" + c.scene.substr(9) + "_" + to_string(c.reading)] =
         forces_by_step(results, plan, c, largest_force_of(c.scene));
   }
-  for (const auto& [reading, tally] : by_reading)
-    report.text("In plain words, for " + reading + ": " + std::to_string(tally.settled) + " of " +
-                std::to_string(tally.numbers) +
-                " numbers settle when the step is made fine enough, and so are numbers of the model; " +
-                std::to_string(tally.at_papers_step) +
-                " are settled at the paper's step already, the others there are "
-                "numbers of the step.");
+  for (const auto& [reading, tally] : by_reading) report.text(in_plain_words(reading, tally));
   if (!settings.quick) {
     report.figure(
         {.name = "convergence",

@@ -44,7 +44,8 @@ void add_distributions(Report& report, const std::string& group, const std::vect
                     sample.deviation()});
   }
   if (rows.empty()) return;
-  report.heading(group + "s, " + std::to_string(members.size()) + " packings");
+  report.heading("Scene " + group.substr(9, 1) + "," + group.substr(10) + "s, " + std::to_string(members.size()) +
+                 " packings");
   report.table("What the packing alone does to each number. Members in which a thing does not happen say no number.",
                {"number", "members that say it", "median", "95 % interval of the median", "5 % to 95 % of the members",
                 "standard deviation"},

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "output/first_touch.h"
 #include "page/embedded.h"
 #include "physics/stress.h"
 #include "system/observe.h"
@@ -52,7 +53,9 @@ RunRecord observed_run(Prepared prepared, const Timing& time) {
         const double next = static_cast<double>(rows) * interval;
         return next > t && next < time.end ? next : time.end;
       }};
+  FirstTouch touch;
   const RunEnd end = run(system, *method, prepared.y, plan, [&](double t, const State& y, const JumpReport& jump) {
+    touch.see(system, t, y);
     for (const Tear& tear : jump.torn) record.torn.push_back({speed * tear.time, tear.link});
     const std::vector<double>& pictures = prepared.scene.output.frames;
     while (record.frames.size() < pictures.size() && t >= pictures[record.frames.size()] - 0.5 * time.step) {
@@ -68,6 +71,7 @@ RunRecord observed_run(Prepared prepared, const Timing& time) {
     while (due(t)) ++rows;
     return true;
   });
+  record.met = std::isfinite(touch.time()) ? speed * touch.time() : std::numeric_limits<double>::quiet_NaN();
   record.facts = {{"ended", {end.ending == Ending::finished ? "finished" : "diverged"}},
                   {"reason", {end.reason}},
                   {"rhs_evaluations", {std::to_string(method->evaluations())}},

@@ -2,6 +2,7 @@
 // particles and the spread of their sizes, each with some packings of its second scene.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "studies/catalogue.h"
 #include "studies/members.h"
@@ -80,7 +81,17 @@ struct Estimate {
     mean = sample.mean();
     half = students_t * sample.deviation() / std::sqrt(static_cast<double>(sample.numbers.size()));
   }
-  std::string text() const { return std::isnan(mean) ? "none" : three_digits(mean) + " ± " + three_digits(half); }
+  // Both to the same decimal, the second of the half interval.
+  std::string text() const {
+    if (std::isnan(mean)) return "–";
+    const int decimals = half > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(half)))) : 0;
+    const auto to = [&](double value) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
+      return std::string(digits);
+    };
+    return half > 0 ? to(mean) + " ± " + to(half) : to(mean);
+  }
 };
 
 const std::vector<std::pair<const char*, const char*>> shown{{"mean_force", "mean force [N]"},
@@ -163,8 +174,9 @@ Json outlook(const Settings& settings) {
                                            Estimate("largest_force_discs", list).half});
     }
     report.text(conclusion(variation, force));
-    report.table(variation.what + ", " + std::to_string(members) + " packings each; mean and 95 % interval.", head,
-                 rows);
+    report.table(variation.what + ", " + std::to_string(members) +
+                     " packings each; mean and half its 95 % interval. –: no packing runs to its end.",
+                 head, rows);
   }
   if (!settings.quick) {
     report.figure({.name = "outlook",

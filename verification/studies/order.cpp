@@ -76,7 +76,7 @@ void order_claims(Report& report, const Observations& all) {
   for (const auto& [cell, v] : all.verdicts) {
     if (!v.predicted) continue;
     ++cells;
-    if (v.position.points >= 4) tolerances.push_back(tolerance_of(v.position));
+    if (v.position.points >= 4) tolerances.push_back(v.position_gate);
     velocities += v.velocity_holds ? 1 : 0;
     if (v.position_holds)
       furthest = std::max({furthest, v.predicted->position - v.position.value, v.position.value - v.predicted->most});
@@ -87,7 +87,8 @@ void order_claims(Report& report, const Observations& all) {
       "In all " + std::to_string(cells) +
           " pairs of a fixed-step method and a kind of force the observed order of the position is the "
           "predicted one within three standard errors (Student's t of the fit) and twice what the next power of the "
-          "step does to the slope, or 0.05: together " +
+          "step does to the slope, or 0.05; but no more than half of what the order would fall by with a method of one "
+          "order less. That is " +
           fixed(tolerances.at(tolerances.size() / 2), 2) + " in the middle, " + fixed(tolerances.back(), 2) +
           " at most; the furthest is " + fixed(furthest, 2) + " off" +
           (misses.empty() ? "." : "; except " + misses + "."),

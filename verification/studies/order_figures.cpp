@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "studies/order_tables.h"
 #include "studies/order_trends.h"
 
 namespace furrow::studies {
@@ -22,12 +23,6 @@ std::string shown_order(double order) {
 }
 
 namespace {
-
-// For gnuplot's enhanced text, where an underscore lowers what follows.
-std::string escaped(std::string name) {
-  for (std::size_t k = 0; (k = name.find('_', k)) != std::string::npos; k += 2) name.insert(k, "\\");
-  return name;
-}
 
 double rounded_to_6(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
@@ -61,8 +56,8 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
       ++count;
       held += holds ? 1 : 0;
       const bool told = slope.points >= 4;
-      cells.push_back({x, y, told ? rounded_to_6(slope.value) : 0, holds ? 0 : 1,
-                       told ? fixed(slope.value, 2) + " ±" + fixed(slope.error, 2).substr(1) : std::string("none")});
+      cells.push_back(
+          {x, y, told ? rounded_to_6(slope.value) : 0, holds ? 0 : 1, told ? in_short(slope) : std::string("none")});
       const double least = of_velocity ? v.predicted->velocity : v.predicted->position;
       const double room = v.predicted->most - v.predicted->position;
       const bool open = of_velocity && v.predicted->at_least;
@@ -76,7 +71,8 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
   for (const Problem& p : problems()) columns.push_back({x++, 0, p.title});
   const std::string what = of_velocity ? "velocity" : "position";
   Figure figure{"order_of_" + what, "order_matrix.gp", {}, "orders of the " + what + ", methods by kinds of force"};
-  figure.caption = "Observed order of the " + what + " with its standard error, below it the predicted one; " +
+  figure.caption = "Observed order of the " + what +
+                   ", in brackets its standard error in units of the last digit; below it the predicted one; " +
                    std::to_string(held) + " of " + std::to_string(count) +
                    " agree, others are framed; -: a method that cannot carry forces that depend on velocity.";
   figure.variables = {{"width", static_cast<double>(problems().size())}, {"height", y}};
@@ -121,7 +117,7 @@ Figure slopes_figure(const Observations& all) {
   }
   Json names = Json::array();
   for (std::size_t k = 0; k < drawn.size(); ++k) {
-    if (all.trends.contains(drawn[k])) names.push_back({static_cast<double>(k), 0, escaped(drawn[k])});
+    if (all.trends.contains(drawn[k])) names.push_back({static_cast<double>(k), 0, drawn[k]});
   }
   const auto order = [&](const char* method, const char* p) {
     return fixed(all.verdicts.at({method, p}).position.value, 2);
@@ -168,7 +164,7 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
       if (!free) at /= 1.5;
     }
     labelled.push_back(at);
-    names.push_back({curve, rounded_to_6(at), first > 0 ? 1 : 0, escaped(method.name)});
+    names.push_back({curve, rounded_to_6(at), first > 0 ? 1 : 0, method.name});
     ++curve;
   }
   Figure figure{"order_energy", "order_energy.gp", {}, "relative change of energy in a period against h omega"};

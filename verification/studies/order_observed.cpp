@@ -121,10 +121,12 @@ struct Place {
   double x, step, y;  // log of the abscissa, s, log of the error
 };
 
-void centre(std::vector<Place>& places, double Place::*what) {
+// Takes the mean away and returns it.
+double centre(std::vector<Place>& places, double Place::*what) {
   double mean = 0;
   for (const Place& p : places) mean += p.*what / static_cast<double>(places.size());
   for (Place& p : places) p.*what -= mean;
+  return mean;
 }
 
 double product(const std::vector<Place>& places, double Place::*one, double Place::*other) {
@@ -138,7 +140,11 @@ bool is_controlled(const std::string& method) { return make_method(method)->info
 }  // namespace
 
 Slope fitted_return(const std::vector<Point>& points) {
-  return fitted(points, &Point::position, 9, &Point::step, 1e-12);
+  return fitted(points, &Point::position, 6, &Point::step, 1e-12);
+}
+
+Slope fitted_smooth(const std::vector<Point>& points, double Point::*error) {
+  return fitted(points, error, 6, &Point::step, 1e-12);
 }
 
 Slope fitted(const std::vector<Point>& points, double Point::*error, int most, double Point::*abscissa,
@@ -152,7 +158,7 @@ Slope fitted(const std::vector<Point>& points, double Point::*error, int most, d
   slope.points = static_cast<int>(places.size());
   if (slope.points < 4) return {NAN, NAN, NAN, slope.points};
   centre(places, &Place::x);
-  centre(places, &Place::step);
+  slope.step = centre(places, &Place::step);
   centre(places, &Place::y);
   const double xx = product(places, &Place::x, &Place::x), xy = product(places, &Place::x, &Place::y);
   const double hh = product(places, &Place::step, &Place::step), hx = product(places, &Place::step, &Place::x);

@@ -39,13 +39,18 @@ std::optional<Prediction> predicted(const MethodInfo& method, const Problem& pro
 // Where the jump map acts between steps the estimate sees nothing and s is near zero.
 struct Exponents {
   double smooth, with_event;
+  double fall;  // of `smooth`, with a method of one order less: 1/q
 };
 Exponents predicted_exponents(const MethodInfo& method, const Problem& problem);
 
-// Slopes of one method on one problem against their predictions.
+// Slopes of one method on one problem against their predictions. `gate`: how far one may be off, which is
+// tolerance_of(slope), and on a smooth force what the predictor of an Adams method does to the slope; but no more than
+// half of what the order would fall by with a method of one order less, and half an order where that is hidden behind
+// the event. A wider one would certify nothing.
 struct Verdict {
   Slope position, velocity;
   std::optional<Prediction> predicted{};
+  double position_gate = 0, velocity_gate = 0;
   bool position_holds = true, velocity_holds = true;
 };
 Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vector<Point>& points);

@@ -30,6 +30,7 @@ struct Problem {
   bool from_rest = false;        // no force when it starts, and none that depends on a velocity
   bool rebounds = false;         // leaves an elastic contact before it ends
   bool speed_by_energy = false;  // the speed at the end follows from the energy alone, which may err by less
+  double fastest = 0;            // rad/s, highest frequency of a smooth motion
   double unit = 1;               // s, duration of a contact or 1/omega
   double duration = 1;           // s, of the longest run
   double earliest = 0.8;         // of the duration, of the shortest

@@ -62,6 +62,7 @@ State swinging(long double zeta, long double t) {
 
 Problem spring(double zeta, const std::string& name, const std::string& title) {
   Problem p{name, title, "none"};
+  p.fastest = static_cast<double>(omega);
   p.unit = static_cast<double>(1 / omega);
   p.duration = 6 * p.unit;
   p.earliest = 0.5;
@@ -87,6 +88,7 @@ class DrivenSpring final : public OdeSystem {
 
 Problem driven() {
   Problem p{"driven_spring", "driven spring", "none"};
+  p.fastest = 2;  // of what drives it
   p.duration = 3;
   p.earliest = 0.5;
   p.length = 2.5;  // as far and as fast as it gets, in units
@@ -158,6 +160,8 @@ Numbers lattice_rate(const Numbers& y) {
 
 Problem lattice() {
   Problem p{"lattice", "lattice", "none"};
+  // Both nodes up and down against each other: K/k = [1.5 -0.5; -0.5 2.5], of eigenvalue 2 + 1/sqrt 2.
+  p.fastest = static_cast<double>(omega) * std::sqrt(2 + std::sqrt(0.5));
   p.unit = static_cast<double>(1 / omega);
   p.duration = 4 * p.unit;
   p.earliest = 0.5;

@@ -15,6 +15,10 @@ double number(const Json& value) { return value.is_number() ? value.get<double>(
 
 std::string with_error(const Slope& s) { return s.points < 4 ? "-" : fixed(s.value, 2) + " ± " + fixed(s.error, 2); }
 
+std::string in_short(const Slope& s) {
+  return s.points < 4 ? "–" : fixed(s.value, 2) + "(" + fixed(100 * s.error, 0) + ")";
+}
+
 Json to_json(const std::vector<Point>& points) {
   Json rows = Json::array();
   for (const Point& p : points)
@@ -54,13 +58,14 @@ void controlled_table(Report& report, const Observations& all) {
   for (const MethodInfo& method : method_catalogue()) {
     if (!method.controlled) continue;
     std::vector<Json> row{method.name};
-    for (const Problem& p : problems()) row.emplace_back(with_error(exponent_of(all, method.name, p.name)));
+    for (const Problem& p : problems()) row.emplace_back(in_short(exponent_of(all, method.name, p.name)));
     rows.push_back(std::move(row));
   }
   if (rows.empty()) return;
   report.table(
       "Methods with error control: exponent s of error = C tolerance^s, tolerances from 1e-5 to 1e-10. 1 is what "
-      "a tolerance promises; near 0 the tolerance has no say.",
+      "a tolerance promises; near 0 the tolerance has no say. In brackets the standard error in units of the last "
+      "digit.",
       head, rows);
 }
 
@@ -75,16 +80,16 @@ void cure_table(Report& report, const Observations& all) {
     for (const char* p : graded_problems) {
       for (const int grading : gradings) {
         const Slope slope = fitted(all.cured.at({method, p, grading}), &Point::position);
-        row.emplace_back(with_error(slope) + " (" +
-                         shown_order(predicted_graded(make_method(method)->info(), problem(p), grading)) + ")");
+        row.emplace_back(in_short(slope) + " of " +
+                         shown_order(predicted_graded(make_method(method)->info(), problem(p), grading)));
       }
     }
     rows.push_back(std::move(row));
   }
   report.table(
       "The cure: a step ends at the touch (just inside: at the touch itself the force is still that of free "
-      "flight), the next ones grow as t - t0 = T (n/N)^g; observed order of the position in the contact, in "
-      "brackets min(p, g (a + 1)).",
+      "flight), the next ones grow as t - t0 = T (n/N)^g; observed order of the position in the contact, "
+      "its standard error in units of the last digit, and of what is predicted, min(p, g (a + 1)).",
       head, rows);
 }
 

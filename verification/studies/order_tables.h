@@ -9,6 +9,7 @@
 namespace furrow::studies {
 
 std::string with_error(const Slope& slope);  // "1.98 ± 0.01"
+std::string in_short(const Slope& slope);    // "1.98(1)": the standard error in units of the last digit
 
 // Points as they are kept between runs.
 Json to_json(const std::vector<Point>& points);

@@ -35,8 +35,10 @@ std::optional<double> amplified_drift(const std::string& method, double angle);
 
 // The order in which a run through a Hertz impact that is reversed and run back misses its start. With the modified
 // equation y' = f + h^p f_p + h^(p+1) f_(p+1) + ... the way back undoes the terms of even power, so p + 1 for even p;
-// in P(EC)^2E the term of power 3 is missing too. Infinity: exact. On a spring, which is in motion when the run starts,
-// a multistep method's first steps add their own error, twice: there ab2 is of order 2.
+// in P(EC)^2E the term of power 3 is missing too. Where the force starts as t^(3/2), what a step at t loses for good is
+// of second order in the force: h^6/t, by the powers of t in force and stiffness, and h^5 ln(T/h) in all. Infinity:
+// exact. On a spring, which is in motion when the run starts, a multistep method's first steps add their own error,
+// twice: there ab2 is of order 2.
 std::optional<double> predicted_return(const MethodInfo& method);
 
 // Whether the way back ends where it began but for round-off.

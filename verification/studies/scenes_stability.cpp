@@ -59,13 +59,12 @@ Json measured(const Chosen& c) {
     if (v.imag() >= 0) values.push_back({rounded(v.real()), rounded(v.imag())});
   const Books books = run_on(s, scene.time.method, scene.time.step);
   const Oscillator part = stiffest_part(s.system, s.t, s.y).oscillator;
-  std::ostringstream driver;
-  driver.precision(2);
-  driver << s.driver.name << " (" << s.driver.how << ", " << 100 * s.driver.share << " % of the power)";
+  const std::string driver = s.driver.name + " (" + s.driver.how + ", " +
+                             std::to_string(std::lround(100 * s.driver.share)) + " % of the power)";
   return {{"own_step", scene.time.step},
           {"numbers", s.linearised.acting.size()},
           {"fastest", {s.fastest.real(), s.fastest.imag()}},
-          {"driver", driver.str()},
+          {"driver", driver},
           {"own_growth", rounded(s.own_growth)},
           {"values", values},
           {"steps", steps},
@@ -168,7 +167,7 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes) {
     const StableStep& paper = *step_of(s, "pece");
     standing.push_back({s.name, s.t, s.numbers,
                         with_digits(s.fastest.real(), 4) +
-                            (s.fastest.imag() != 0 ? " +- " + with_digits(std::fabs(s.fastest.imag()), 4) + " i" : ""),
+                            (s.fastest.imag() != 0 ? " ± " + with_digits(std::fabs(s.fastest.imag()), 4) + " i" : ""),
                         s.driver, s.own_step, s.own_step / paper.measured,
                         s.books.diverged.empty() ? Json(s.books.share()) : Json("diverged")});
     if (s.own_growth > 0)

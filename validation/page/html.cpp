@@ -1,0 +1,23 @@
+#include "page/html.h"
+
+#include <regex>
+#include <utility>
+#include <vector>
+
+namespace furrow {
+
+std::string typeset(std::string html) {
+  static const std::vector<std::pair<std::regex, const char*>> rules{
+      {std::regex(R"((^|[\s(\[])-(?=\.?\d))"), "$1−"},
+      {std::regex(R"((^|[^\w.])1e([+-])0*(\d+)\b)"), "$0110<sup>$2$3</sup>"},
+      {std::regex(R"((\d)e([+-])0*(\d+)\b)"), "$1 × 10<sup>$2$3</sup>"},
+      {std::regex(R"(<sup>-)"), "<sup>−"},
+      {std::regex(R"(<sup>\+)"), "<sup>"},
+      {std::regex(R"(\b(\d+)\.0{6}\b)"), "$1"},
+      {std::regex(R"(\b(\d+\.(?=\d{6}\b)\d*[1-9])0+\b)"), "$1"},
+      {std::regex(R"( ± )"), "\u00a0±\u00a0"}};
+  for (const auto& [what, by] : rules) html = std::regex_replace(html, what, by);
+  return html;
+}
+
+}  // namespace furrow
