@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <thread>
 
 #include "measuring/samples.h"
 #include "output/machine.h"
@@ -14,12 +15,12 @@ using measuring::Interval;
 constexpr int repetitions = 5;  // in one process; their least is the sample: noise only ever adds
 
 struct Samples {
-  std::vector<double> now, base, again;  // s, round by round
+  std::vector<double> now, base, again, real;  // s, round by round; real: what a clock on the wall says of `now`
   Json said_now, said_base;
 };
 
-double least(const Json& said) {
-  const auto all = said.at("cpu_seconds").get<std::vector<double>>();
+double least(const Json& said, const char* clock = "cpu_seconds") {
+  const auto all = said.at(clock).get<std::vector<double>>();
   return *std::min_element(all.begin(), all.end());
 }
 
@@ -30,6 +31,7 @@ Samples sample(const Build& build, const Build& base, const std::string& kernel,
     s.base.push_back(least(s.said_base));
     s.said_now = timed(build, kernel, repetitions);
     s.now.push_back(least(s.said_now));
+    s.real.push_back(least(s.said_now, "real_seconds"));
     s.again.push_back(least(timed(base, kernel, repetitions)));
   }
   return s;
@@ -41,8 +43,24 @@ Json rounded(const std::vector<double>& values) {
   return list;
 }
 
-Json result_of(const Samples& s, const Json& now, const Json& base) {
-  Json json{{"cpu_seconds", rounded(s.now)},
+// As Google Benchmark writes it, with more keys behind: times are of one call, instructions and samples of all calls.
+Json result_of(const std::string& name, const Samples& s, const Json& now, const Json& base) {
+  const double calls = now.at("calls");
+  const auto a_call = [&](const std::vector<double>& all) {
+    return measuring::rounded(1e9 * measuring::median_interval(all).middle / calls);
+  };
+  Json json{{"name", name + "_median"},
+            {"run_name", name},
+            {"run_type", "aggregate"},
+            {"repetitions", s.now.size()},
+            {"threads", 1},
+            {"aggregate_name", "median"},
+            {"aggregate_unit", "time"},
+            {"iterations", calls},
+            {"real_time", a_call(s.real)},
+            {"cpu_time", a_call(s.now)},
+            {"time_unit", "ns"},
+            {"cpu_seconds", rounded(s.now)},
             {"base_cpu_seconds", rounded(s.base)},
             {"instructions", now.at("instructions")},
             {"base_instructions", base.at("instructions")},
@@ -78,17 +96,19 @@ void show(const std::string& name, const Json& result) {
 int compare(const Build& build, const Build& base, int rounds) {
   make_beds(build);
   const Json now = counted(build), before = counted(base);
-  Json line{{"machine", processor_name()},
-            {"compiler", now.front().at("compiler")},
-            {"flags", now.front().at("flags")},
-            {"kernels", Json::object()}};
+  Json line{{"context",
+             {{"machine", processor_name()},
+              {"num_cpus", std::thread::hardware_concurrency()},
+              {"compiler", now.front().at("compiler")},
+              {"flags", now.front().at("flags")}}},
+            {"benchmarks", Json::array()}};
   std::fprintf(stderr, "CPU time, new over base: median and its 95 %% interval over %d rounds\n", rounds);
   bool same_answers = true;
   for (const std::string& name : kernel_names(build)) {
-    const Json result = result_of(sample(build, base, name, rounds), now.at(name), before.at(name));
+    const Json result = result_of(name, sample(build, base, name, rounds), now.at(name), before.at(name));
     same_answers = same_answers && result.contains("ratio");
     show(name, result);
-    line["kernels"][name] = result;
+    line["benchmarks"].push_back(result);
   }
   std::printf("%s\n", line.dump().c_str());
   return same_answers ? 0 : 1;

@@ -55,15 +55,17 @@ Json counted(const Build& build, const std::string& kernel) {
   const fs::path file = build.beds / (kernel + ".callgrind");
   const std::string out = "--callgrind-out-file=" + file.string();
   Json said = Json::parse(run_well({.words = {"valgrind", "--quiet", "--tool=callgrind", "--toggle-collect=measured",
-                                              out, build.program, "run", kernel, build.beds, "0"},
+                                              "--compress-strings=no", "--compress-pos=no", out, build.program, "run",
+                                              kernel, build.beds, "0"},
                                     .errors = build.beds / "errors.txt"})
                               .output);
   said["instructions"] = instructions_in(file);
   return said;
 }
 
-Json counted(const Build& build) {
-  const std::vector<std::string> names = kernel_names(build);
+Json counted(const Build& build) { return counted(build, kernel_names(build)); }
+
+Json counted(const Build& build, const std::vector<std::string>& names) {
   std::vector<Json> results(names.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {

@@ -21,11 +21,12 @@ std::vector<std::string> kernel_names(const Build& build);
 // What `track_kernels run` says.
 Json timed(const Build& build, const std::string& kernel, int repetitions);
 
-// The same without times, and with "instructions".
+// The same without times, and with "instructions"; callgrind's file is BEDS/KERNEL.callgrind.
 Json counted(const Build& build, const std::string& kernel);
 
-// All kernels, two at a time.
+// All kernels, or those named, two at a time.
 Json counted(const Build& build);
+Json counted(const Build& build, const std::vector<std::string>& names);
 
 // What else the counts depend on: compiler, flags, C library, valgrind, vector width.
 std::string identity(const Json& said_by_kernel);

@@ -6,9 +6,11 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "methods/method.h"
+#include "output/run_files.h"
 #include "scene/read.h"
 #include "system/observe.h"
 #include "system/run.h"
@@ -174,7 +176,36 @@ Work settling(const fs::path& beds) {
   return steps_of(r, 0);
 }
 
+// ---- whole scenes ----
+
+// As `furrow run` does it, files included, from the nearly settled bed.
+Work scene_run(Scene scene, const fs::path& directory) {
+  const auto hash = std::make_shared<std::uint64_t>(0);
+  const auto work = [=](long steps) {
+    RunRequest request{.scene_file = "profile", .scene = scene, .directory = directory};
+    request.scene.time.end = static_cast<double>(steps) * scene.time.step;
+    std::erase_if(request.scene.output.frames, [&](double t) { return t > request.scene.time.end; });
+    const RunOutcome outcome = run_with_files(request);
+    if (outcome.ended != "finished") throw std::runtime_error("diverged: " + outcome.reason);
+    *hash = std::stoull(nlohmann::json::parse(outcome.json).at("state_hash").get<std::string>(), nullptr, 16);
+  };
+  return {.run = work, .answer = [=] { return *hash; }, .error = {}};
+}
+
+Work whole_lattice(const fs::path& beds) { return scene_run(lattice(), beds / "runs/scenario_1"); }
+Work whole_discs(const fs::path& beds) { return scene_run(discs(beds), beds / "runs/scenario_2"); }
+Work whole_both(const fs::path& beds) { return scene_run(discs_and_lattice(beds), beds / "runs/scenario_3"); }
+
 }  // namespace
+
+const std::vector<Kernel>& whole_scenes() {
+  static const std::vector<Kernel> all{
+      {"scenario_1", "the first scene, to its end", 12'000, whole_lattice},
+      {"scenario_2", "the second scene, to its end", 45'000, whole_discs},
+      {"scenario_3", "the third scene, to its end", 45'000, whole_both},
+  };
+  return all;
+}
 
 const std::vector<Kernel>& kernels() {
   static const std::vector<Kernel> all{

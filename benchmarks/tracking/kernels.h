@@ -27,6 +27,9 @@ struct Kernel {
 
 const std::vector<Kernel>& kernels();
 
+// The paper's scenes, for their profile; they are not followed from commit to commit. A call is a step.
+const std::vector<Kernel>& whole_scenes();
+
 // Settles the beds that kernels start from and writes them into a directory; takes seconds and is no part of any
 // measurement. with_bed throws std::runtime_error if there is none.
 void make_beds(const std::filesystem::path& directory);

@@ -4,6 +4,7 @@
 //        track accept ACCEPTED KERNELS BEDS REASON    makes today's counts the accepted ones
 //        track compare KERNELS BASE BEDS ROUNDS       times and counts against those of another build; one line of JSON
 //                                                     to standard output, a table to standard error
+//        track profile RESULT KERNELS BEDS            the paper's scenes by part of the solver
 // ACCEPTED: benchmarks/accepted_instructions.json; KERNELS, BASE: two builds of track_kernels; BEDS: a directory for
 // what they start from. Exit codes: 0 good; 1 an answer is wrong, or a count is too high; 2 usage; 4 input or output;
 // 77 the accepted counts belong to another compiler or machine, so that only the answers were checked.
@@ -14,6 +15,7 @@
 
 #include "tracking/comparison.h"
 #include "tracking/gate.h"
+#include "tracking/profile.h"
 
 int main(int argc, char** argv) {
   namespace tracking = furrow::tracking;
@@ -22,6 +24,7 @@ int main(int argc, char** argv) {
   try {
     if (count == 4 && words[0] == "gate") return tracking::gate(words[1], {words[2], words[3]});
     if (count == 5 && words[0] == "accept") return tracking::accept(words[1], {words[2], words[3]}, words[4]);
+    if (count == 4 && words[0] == "profile") return tracking::profile({words[2], words[3]}, words[1]);
     if (count == 5 && words[0] == "compare")
       return tracking::compare({words[1], words[3]}, {words[2], words[3]}, std::stoi(words[4]));
   } catch (const std::exception& error) {
@@ -30,6 +33,6 @@ int main(int argc, char** argv) {
   }
   std::fprintf(stderr,
                "usage: track gate ACCEPTED KERNELS BEDS | accept ACCEPTED KERNELS BEDS REASON | "
-               "compare KERNELS BASE BEDS ROUNDS\n");
+               "compare KERNELS BASE BEDS ROUNDS | profile RESULT KERNELS BEDS\n");
   return 2;
 }

@@ -4,6 +4,7 @@
 //        track_kernels list                             one line a kernel
 //        track_kernels run NAME DIRECTORY [REPETITIONS] one line of JSON; with 0 repetitions the kernel runs once and
 //                                                       neither its time nor its error is told
+// NAME may also be one of the paper's scenes, which are run as a whole.
 // Exit codes: 0 good, 1 repetitions do not agree on the answer, 2 usage, 4 input or output.
 #include <algorithm>
 #include <cinttypes>
@@ -34,19 +35,27 @@ std::string hexadecimal(std::uint64_t value) {
 }
 
 const Kernel& kernel_of(const std::string& name) {
-  for (const Kernel& kernel : furrow::tracking::kernels()) {
-    if (kernel.name == name) return kernel;
+  for (const auto* all : {&furrow::tracking::kernels(), &furrow::tracking::whole_scenes()}) {
+    for (const Kernel& kernel : *all) {
+      if (kernel.name == name) return kernel;
+    }
   }
   throw std::invalid_argument("no kernel '" + name + "'; track_kernels list shows them");
 }
 
 int run(const Kernel& kernel, const std::string& beds, int repetitions) {
-  Json json{{"kernel", kernel.name}, {"calls", kernel.calls}, {"cpu_seconds", Json::array()}};
+  Json json{{"kernel", kernel.name},
+            {"calls", kernel.calls},
+            {"cpu_seconds", Json::array()},
+            {"real_seconds", Json::array()}};
   for (int k = 0; k < std::max(1, repetitions); ++k) {
     const Work work = kernel.make(beds);
-    const double before = furrow::cpu_seconds();
+    const double before = furrow::cpu_seconds(), wall = furrow::wall_seconds();
     measured(work.run, kernel.calls);
-    if (repetitions > 0) json["cpu_seconds"].push_back(furrow::cpu_seconds() - before);
+    if (repetitions > 0) {
+      json["cpu_seconds"].push_back(furrow::cpu_seconds() - before);
+      json["real_seconds"].push_back(furrow::wall_seconds() - wall);
+    }
     const std::string answer = hexadecimal(work.answer());
     if (k > 0 && json["answer"] != answer) {
       std::fprintf(stderr, "track_kernels: %s has two answers, %s and %s\n", kernel.name.c_str(),
