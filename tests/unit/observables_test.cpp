@@ -141,7 +141,9 @@ TEST(Observables, PlateMeetsLatticeWhereTheRunSaysSo) {
 }
 
 TEST(Observables, FirstTouchIsWhereANodeIsInThePlate) {
-  const System system(test::three_node_scene());  // the plate's right side is 10 mm or more from the nodes, 100 mm/s
+  Scene scene = test::three_node_scene();
+  scene.plate[0].left_edge = -0.02;  // m: its right side comes to the nodes at 0 with 0.1 m/s
+  const System system(scene);
   const State y = system.initial_state();
   const double gap = system.nodes(y).x[1] - (system.plate_at(0, 0).left + system.parts().plate[0].width);
   ASSERT_GT(gap, 0);

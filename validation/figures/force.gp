@@ -39,6 +39,6 @@ plot $force using 1:4 with lines ls 1, \
      $force using 1:3 with lines ls 3, \
      $levels using 1:3:($2 - $1):(0) with vectors nohead ls 4, \
      $uprights using 1:(bottom):(0):(top - bottom) with vectors nohead ls 4, \
-     $levels using (($1 + $2) / 2):($3 + ($4 > 0 ? -0.035 : 0.035) * (top - bottom)):5 with labels noenhanced center font ',15' tc rgb '#005f46', \
-     $uprights using 1:(top - 0.03 * (top - bottom)):2 with labels noenhanced left offset 0.7, 0 font ',15' tc rgb '#005f46', \
+     $levels using (($1 + $2) / 2):($3 + ($4 > 0 ? -0.035 : 0.035) * (top - bottom)):5 with labels center font ',15' tc rgb '#005f46' noenhanced, \
+     $uprights using 1:(top - 0.03 * (top - bottom)):2 with labels left offset 0.7, 0 font ',15' tc rgb '#005f46' noenhanced, \
      $peaks using 1:2 with points ls 5

@@ -20,4 +20,4 @@ plot for [k=0:curves-1] $theory using ($1 == k ? $2 : NaN):3 with lines lc rgb '
      for [k=0:curves-1] $points using ($1 == k ? $2 : NaN):3 with lines lc rgb colours[k % 8 + 1] lw 1.4 dt k % 3 + 1, \
      for [k=0:curves-1] $points using ($1 == k && $4 == 1 ? $2 : NaN):3 with points pt 7 ps 0.6 lc rgb colours[k % 8 + 1], \
      for [k=0:curves-1] $points using ($1 == k && $4 == 0 ? $2 : NaN):3 with points pt 6 ps 0.6 lc rgb colours[k % 8 + 1], \
-     for [k=0:curves-1] $names using ($1 == k ? 0.31 : NaN):2:(strcol(4)) with labels noenhanced left
+     for [k=0:curves-1] $names using ($1 == k ? 0.31 : NaN):2:(strcol(4)) with labels left noenhanced

@@ -46,7 +46,7 @@ do for [p=0:panels-1] {
   plot $theory using ($1 == p ? $2 : NaN):3:($4 - $2):($5 - $3) with vectors nohead ls 9, \
        for [k=0:5] $points using ($1 == p && $2 == k ? $3 : NaN):4 with linespoints ls k + 1, \
        $labels using ($1 == p ? $2 : NaN):3:(strcol(4)) with labels right offset -0.5, 0 font ',12' tc rgb '#444444', \
-       $panel using ($1 == p ? sqrt(step_min * step_max) : NaN):3:(strcol(4)) with labels noenhanced offset 0, 0.9 font ',14'
+       $panel using ($1 == p ? sqrt(step_min * step_max) : NaN):3:(strcol(4)) with labels offset 0, 0.9 font ',14' noenhanced
 }
 # The key, where the next panel would be.
 column_of = panels - across * floor(panels / across)
@@ -63,7 +63,7 @@ set xrange [0:across - column_of]
 set yrange [7:-0.5]
 plot for [k=0:5] $names using ($1 == k ? 0 : NaN):0:(0.25):(0) with vectors nohead ls k + 1, \
      for [k=0:5] $names using ($1 == k ? 0.125 : NaN):0 with points ls k + 1, \
-     $names using (0.3):0:(strcol(3)) with labels noenhanced left font ',14', \
+     $names using (0.3):0:(strcol(3)) with labels left font ',14' noenhanced, \
      '+' using (0):(6):(0.25):(0) every ::0::0 with vectors nohead ls 9, \
      '+' using (0.3):(6):('predicted slope') every ::0::0 with labels left font ',14'
 unset multiplot

@@ -15,7 +15,8 @@ std::string typeset(std::string html) {
       {std::regex(R"(<sup>\+)"), "<sup>"},
       {std::regex(R"(\b(\d+)\.0{6}\b)"), "$1"},
       {std::regex(R"(\b(\d+\.(?=\d{6}\b)\d*[1-9])0+\b)"), "$1"},
-      {std::regex(R"( ± )"), "\u00a0±\u00a0"}};
+      {std::regex(R"( ± )"), "\u00a0±\u00a0"},
+      {std::regex(R"((\d) %)"), "$1\u00a0%"}};
   for (const auto& [what, by] : rules) html = std::regex_replace(html, what, by);
   return html;
 }

@@ -30,8 +30,8 @@ inline std::string shown(double value) {
   return (value < 0 ? "−" : "") + digits + (scientific ? " × 10<sup>" + exponent + "</sup>" : "");
 }
 
-// Numbers within text as books print them: "-1" with a minus sign, "2e-06" as a power of ten, "1 ± 2" in one line, and
-// "0.500000", as a program writes it, without what says nothing.
+// Numbers within text as books print them: "-1" with a minus sign, "2e-06" as a power of ten, "1 ± 2 %" in one line,
+// and "0.500000", as a program writes it, without what says nothing.
 std::string typeset(std::string html);
 
 inline std::string with_unit(double value, const std::string& unit) {

@@ -69,7 +69,7 @@ std::string cell(const ordered_json& value, bool in_numbers) {
   return element("td", breakable(words), in_numbers && words.find(' ') == std::string::npos ? "number" : "");
 }
 
-constexpr std::size_t wide = 9;  // columns: more go into the page in small print only
+constexpr std::size_t wide = 8;  // columns: as many go into the page in small print only
 
 // A column whose first row is a number is set to the right, its heading too.
 std::string table_of(const ordered_json& part) {

@@ -80,7 +80,7 @@ void cure_table(Report& report, const Observations& all) {
     for (const char* p : graded_problems) {
       for (const int grading : gradings) {
         const Slope slope = fitted(all.cured.at({method, p, grading}), &Point::position);
-        row.emplace_back(in_short(slope) + " of " +
+        row.emplace_back(in_short(slope) + " of\u00a0" +
                          shown_order(predicted_graded(make_method(method)->info(), problem(p), grading)));
       }
     }
@@ -116,7 +116,7 @@ void trends_table(Report& report, const Observations& all) {
       const auto back = [&](const char* p) -> std::string {
         const std::vector<Point> points = to_points(t[p]);
         const Slope slope = fitted_return(points);
-        return returns_exactly(points) ? "exact" : with_error(slope);
+        return returns_exactly(points) ? "exact" : in_short(slope);
       };
       const auto want = predicted_return(method);
       const auto drift = amplified_drift(method.name, 0.1);
@@ -130,7 +130,9 @@ void trends_table(Report& report, const Observations& all) {
       "Evaluations a step and extra ones at the start, counted; order of the distance from the start after a run "
       "that is reversed and run back, on a spring (where multistep methods pay for their start twice) and through "
       "a Hertz impact, against the prediction; relative change of the energy of an undamped oscillator in one "
-      "period at h omega = 0.1, against the amplification of the scheme.",
+      "period at h omega = 0.1, against the amplification of the scheme. In brackets the standard error in units of "
+      "the "
+      "last digit.",
       {"method", "evaluations a step", "at start", "way back: spring", "way back: Hertz", "predicted",
        "energy a period", "predicted"},
       rows);
