@@ -11,7 +11,10 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <numeric>
+#include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "methods/method.h"
@@ -40,6 +43,7 @@ struct Bed {
   double step;  // s
   furrow::System system;
   furrow::State y, rates;
+  std::vector<int> number{};  // of each disc of the tiles; empty: as they lie
   int discs() const { return system.parts().disc.count(); }
 };
 
@@ -61,6 +65,21 @@ Bed bed_of(const benchmark::State& state) {
   return Bed(scene);
 }
 
+// The same, numbered as a random packing numbers its discs: without regard to where they lie.
+Bed bed_in_random_order(const benchmark::State& state) {
+  furrow::Scene scene = side_by_side(state.range(0));
+  const std::vector<furrow::Disc> lying = scene.disc;
+  std::vector<int> number(lying.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::mt19937_64 random(1);
+  for (std::size_t k = number.size(); k > 1; --k) std::swap(number[k - 1], number[random() % k]);
+  for (std::size_t k = 0; k < number.size(); ++k) scene.disc[number[k]] = lying[k];
+  set_workers(scene, static_cast<int>(state.range(1)));
+  Bed bed(scene);
+  bed.number = number;
+  return bed;
+}
+
 // For `times` evaluations or steps an iteration.
 void count(benchmark::State& state, int discs) {
   using benchmark::Counter;
@@ -79,7 +98,9 @@ double difference(const Bed& bed) {
   double greatest = 0;
   for (int i = 0; i < tile; ++i) {
     for (const auto at : {&furrow::System::vx_of, &furrow::System::vy_of}) {
-      const auto rate = [&](int disc) { return bed.rates[(bed.system.*at)(disc)]; };
+      const auto rate = [&](int disc) {
+        return bed.rates[(bed.system.*at)(bed.number.empty() ? disc : bed.number[disc])];
+      };
       greatest = std::max(greatest, std::fabs(rate(one + i) - rate(other + i)));
     }
   }
@@ -87,14 +108,16 @@ double difference(const Bed& bed) {
 }
 constexpr double alike = 1e-5;  // m/s^2: x is known to 5e-13 m at 2.6 km, omega^2 is below 1e6 /s^2; g is 9.81
 
-void evaluation(benchmark::State& state) {
-  Bed bed = bed_of(state);
+void evaluate(benchmark::State& state, Bed bed) {
   constexpr double later = 1e-9;  // s: the jump map remembers the rates of its own time, which would be no work
   bed.system.rhs(later, bed.y, bed.rates);
   for (auto _ : state) bed.system.rhs(later, bed.y, bed.rates);
   if (!(difference(bed) <= alike)) state.SkipWithError("equal tiles are not accelerated alike");
   count(state, bed.discs());
 }
+
+void evaluation(benchmark::State& state) { evaluate(state, bed_of(state)); }
+void evaluation_in_random_order(benchmark::State& state) { evaluate(state, bed_in_random_order(state)); }
 
 // The whole bed jumps up by half a metre and down again, so that no neighbour list outlives an evaluation.
 void evaluation_with_new_list(benchmark::State& state) {
@@ -185,6 +208,7 @@ void add(const char* name, void (*run)(benchmark::State&), const std::vector<lon
 int main(int argc, char** argv) {
   const std::vector<long> sizes{2'300, 23'000, 230'000, 1'000'000};
   add("evaluation", evaluation, sizes, false);
+  add("evaluation_in_random_order", evaluation_in_random_order, sizes, false);
   add("evaluation_with_new_list", evaluation_with_new_list, sizes, false);
   add("step", step, sizes, false);
   add("packing", packing, sizes, true);

@@ -1,0 +1,22 @@
+// Parts of the study speed that tell of furrow alone; each adds nothing where its script has left no result.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "studies/study.h"
+
+namespace furrow::studies {
+
+inline const std::filesystem::path speed_results = "benchmarks/results";
+
+void add_profile(Report& report);
+void add_scale(Report& report);
+void add_tracking(Report& report);
+
+std::string in_digits(double value, int digits);
+
+// Of least, middle and most: "1.6 [1.56, 1.72]".
+std::string spread(const Json& three);
+
+}  // namespace furrow::studies
