@@ -29,11 +29,8 @@ namespace tracking = furrow::tracking;
 
 constexpr int tile = 230;  // discs of the paper's second scene
 
-// Numbers of threads to measure with, and where a scene is told of it: the solver has one so far.
-const std::vector<int> workers{1};
-void set_workers(furrow::Scene& /*scene*/, int count) {
-  if (count != 1) throw std::invalid_argument("the solver has one thread");
-}
+// Numbers of threads to measure with.
+const std::vector<int> workers{1, 2};
 
 struct Bed {
   explicit Bed(const furrow::Scene& scene) : step(scene.time.step), system(scene), y(system.initial_state()) {
@@ -61,7 +58,7 @@ const furrow::Scene& side_by_side(long discs) {
 
 Bed bed_of(const benchmark::State& state) {
   furrow::Scene scene = side_by_side(state.range(0));
-  set_workers(scene, static_cast<int>(state.range(1)));
+  scene.search.threads = static_cast<int>(state.range(1));
   return Bed(scene);
 }
 
@@ -74,7 +71,7 @@ Bed bed_in_random_order(const benchmark::State& state) {
   std::mt19937_64 random(1);
   for (std::size_t k = number.size(); k > 1; --k) std::swap(number[k - 1], number[random() % k]);
   for (std::size_t k = 0; k < number.size(); ++k) scene.disc[number[k]] = lying[k];
-  set_workers(scene, static_cast<int>(state.range(1)));
+  scene.search.threads = static_cast<int>(state.range(1));
   Bed bed(scene);
   bed.number = number;
   return bed;
@@ -178,7 +175,7 @@ void packing(benchmark::State& state) {
 void settling(benchmark::State& state) {
   furrow::Scene scene = wide(state.range(0));
   scene.settle = furrow::Settle{.speed = 0.05, .hold = 0.1, .step = {}, .limit = 20};
-  set_workers(scene, static_cast<int>(state.range(1)));
+  scene.search.threads = static_cast<int>(state.range(1));
   double height = 0;
   for (auto _ : state) {
     const furrow::Prepared p = furrow::prepare(scene);

@@ -33,14 +33,16 @@ Scene bouncing(Scene scene) {
   return scene;
 }
 
-// A bed in which the numbers of neighbours lie far apart, just large enough for two chunks.
+// A bed of two packings, one through the other, just large enough for two chunks.
 Scene wide(Scene scene) {
   scene.settle.reset();
   scene.plate.clear();
-  furrow::Packing& packing = scene.packing[0];
-  packing.count = furrow::NeighbourSearch::discs_a_chunk + 400;
-  packing.lower_left = {0, 0};
-  packing.upper_right = {3, 1.5};
+  scene.packing.resize(1);
+  scene.packing[0].count = furrow::NeighbourSearch::discs_a_chunk / 2 + 200;
+  scene.packing[0].lower_left = {0, 0};
+  scene.packing[0].upper_right = {3, 1.5};
+  scene.packing.push_back(scene.packing[0]);
+  scene.packing[1].seed += 1;
   scene.wall.back().point.x = 3;
   scene.time.end = 0.02;
   return scene;

@@ -89,6 +89,26 @@ TEST(Packing, SameSeedSameDiscs) {
   EXPECT_FALSE(same(packed({packing(50, 0.005, 0.015)}), packed({other})));
 }
 
+// Neighbours in the bed are near in memory: within the numbers of two columns, each a radius wide.
+TEST(Packing, LargeOnesAreNumberedByPlace) {
+  const Packing p = packing(6000, 0.0015, 0.0015);
+  const std::vector<Disc> large = packed({p}).disc;
+  ASSERT_EQ(large.size(), 6000u);
+  const auto column = [&](std::size_t i) { return std::floor(large[i].position.x / p.radius_max); };
+  for (std::size_t i = 1; i < large.size(); ++i) {
+    ASSERT_LE(column(i - 1), column(i));
+    const bool same = column(i - 1) == column(i);
+    ASSERT_TRUE(!same || large[i - 1].position.y <= large[i].position.y);
+  }
+  // The same places as of a packing that is not sorted: the first of them, of as many attempts.
+  const std::vector<Disc> small = packed({packing(3000, 0.0015, 0.0015)}).disc;
+  for (const Disc& d : small) {
+    EXPECT_TRUE(std::any_of(large.begin(), large.end(), [&](const Disc& e) {
+      return d.position.x == e.position.x && d.position.y == e.position.y;
+    }));
+  }
+}
+
 TEST(Packing, SecondOneKeepsClearOfTheFirstAndOfSingleDiscs) {
   Scene scene = empty_scene();
   scene.disc = {disc({0, 0.3}, 0.08)};
