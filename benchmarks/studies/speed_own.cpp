@@ -214,7 +214,7 @@ void add_tracking(Report& report) {
     row.push_back(kernel.at("cpu_time"));
     row.push_back(compared ? Json(spread(kernel["ratio"])) : Json());
     row.push_back(compared ? Json(100 * kernel["noise"].get<double>()) : Json());
-    row.push_back(kernel.at("error"));
+    row.emplace_back(kernel.at("error").is_null() ? "-" : in_digits(kernel["error"], 2));
     row.push_back(kernel.at("verdict"));
     rows.push_back(row);
   }
