@@ -23,6 +23,9 @@ std::optional<std::array<double, 2>> range_of(const Statement& s) {
   return std::nullopt;
 }
 
+// Of words in place of a number: that the thing does not happen. Any others leave open what the number is.
+bool says_never(const std::string& words) { return words == "not by the end" || words.starts_with("no "); }
+
 constexpr double near = 0.1, alike = 1.0 / 3;  // of the paper's number
 
 std::string by_share(double share) {
@@ -39,6 +42,8 @@ std::string verdict_of(const Statement& s, const Sample& sample) {
     return by_share(same / static_cast<double>(sample.members()));
   }
   if (!std::isfinite(s.value)) return "not testable";
+  if (sample.numbers.empty() && std::none_of(sample.words.begin(), sample.words.end(), says_never))
+    return "not testable";
   if (2 * sample.numbers.size() < sample.members() || sample.numbers.empty()) return "not reproduced";
   const double off = std::fabs(sample.quantile(0.5) - s.value);
   const bool between =
@@ -134,7 +139,8 @@ void judge(Report& report, const Groups& groups) {
   report.text(
       "A limit, or what is said in words, is reproduced if at least half of the packings keep it, in kind if one in "
       "twenty does. A number is reproduced if it lies between the 5 % and 95 % quantiles of the packings or within a "
-      "tenth of their median, in kind within a third of it. How words are read as ranges is said in "
+      "tenth of their median, in kind within a third of it. A number that no run says is not testable, "
+      "one of a thing that does not happen is not reproduced. How words are read as ranges is said in "
       "validation/statements.toml.");
   report.table("Every statement of the paper, judged. Numbers of an ensemble are the median of the runs that say one.",
                {"scene", "statement", "the paper", "ours", "runs", "95 % interval of the median",
