@@ -1,6 +1,7 @@
 // When a plate first touches a lattice: when a free node, which has no size, is in the plate.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "system/system.h"
@@ -12,14 +13,14 @@ class FirstTouch {
   // After each accepted step.
   void see(const System& system, double t, const State& y) {
     if (time_ <= t || system.parts().plate.empty()) return;
-    const System::Nodes node = system.nodes(y);
+    const NodeArrays& node = system.parts().node;
     for (std::size_t k = 0; k < system.parts().plate.size(); ++k) {
       const PlatePart& plate = system.parts().plate[k];
       const System::PlateAt at = system.plate_at(static_cast<int>(k), t);
-      for (std::size_t i = 0; i < node.x.size(); ++i) {
-        const bool beside = node.x[i] <= at.left || node.x[i] >= at.left + plate.width;
-        const bool above_or_below = node.y[i] <= at.lower || node.y[i] >= at.lower + plate.height;
-        if (system.parts().node.body[i] >= 0 && !beside && !above_or_below) time_ = std::min(time_, t);
+      for (const int body : node.body) {
+        if (body < 0) continue;
+        const double right = y[system.x_of(body)] - at.left, up = y[system.y_of(body)] - at.lower;
+        if (right > 0 && right < plate.width && up > 0 && up < plate.height) time_ = std::min(time_, t);
       }
     }
   }
