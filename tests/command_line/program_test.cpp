@@ -258,6 +258,25 @@ TEST_F(Program, LocateIsAKeyAndAnOption) {
   EXPECT_NE(text_of(directory_ / "here" / "scene.toml").find("locate = \"all\""), std::string::npos);
 }
 
+TEST_F(Program, ThreadsAreForLargeBeds) {
+  const std::string wide = (directory_ / "wide.toml").string();
+  std::ofstream(wide)
+      << "title = \"wide\"\n[model]\ngravity = 9.81\n[time]\nstep = 1e-4\nend = 1e-3\n[contact]\nfriction = 0.5\n"
+         "[[material]]\nname = \"sand\"\nyoung = 1e6\npoisson = 0.3\n"
+         "[[packing]]\nmaterial = \"sand\"\ncount = 4500\nradius_min = 0.01\nradius_max = 0.01\n"
+         "lower_left = [0.0, 0.0]\nupper_right = [2.0, 2.0]\nseed = 1\n"
+         "[[wall]]\npoint = [0.0, 0.0]\nnormal = [0.0, 1.0]\nmaterial = \"sand\"\n";
+  std::vector<nlohmann::json> hashes;
+  for (const char* threads : {"1", "2"}) {
+    const Result r = furrow("run wide.toml --threads " + std::string(threads) + " --out threads_" + threads);
+    ASSERT_EQ(r.code, 0) << r.err;
+    hashes.push_back(nlohmann::json::parse(r.out)["state_hash"]);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_EQ(furrow("run wide.toml --threads 0").code, 2);
+  EXPECT_NE(text_of(directory_ / "threads_2/scene.toml").find("threads = 2"), std::string::npos);
+}
+
 TEST_F(Program, MethodsListsTheCatalogue) {
   const Result r = furrow("methods");
   ASSERT_EQ(r.code, 0);
