@@ -109,6 +109,19 @@ std::string silent_table(const ordered_json& tests) {
          element("tbody", rows) + "</table></details>";
 }
 
+// "63b8b18" or "63b8b18 and e6239ba": on what the faults were tried.
+std::string commits(const ordered_json& study) {
+  std::vector<std::string> all;
+  for (const ordered_json& result : study.at("results")) {
+    const std::string commit = result.value("commit", study.at("commit").get<std::string>());
+    if (std::find(all.begin(), all.end(), commit) == all.end()) all.push_back(commit);
+  }
+  std::string list;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    list += (k == 0 ? "" : k + 1 < all.size() ? ", " : " and ") + escaped(all[k]);
+  return (all.size() > 1 ? "Tried on commits " : "Tried on commit ") + list;
+}
+
 }  // namespace
 
 std::string faults_part(const ordered_json& study) {
@@ -119,7 +132,7 @@ std::string faults_part(const ordered_json& study) {
   std::string html = element(
       "p", std::to_string(faults.size()) +
                " faults were put into the source, one at a time; the verification tests noticed " +
-               std::to_string(noticed) + ". Made from commit " + text(study, "commit") +
+               std::to_string(noticed) + ". " + commits(study) +
                ". A number says how many tests of a page fail. A dash: the page was not run, because it measures "
                "methods, the fault is not in one, and other pages noticed it.");
   html += matrix(faults, study);

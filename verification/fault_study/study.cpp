@@ -2,12 +2,13 @@
 // verification tests on it, and notes which fail; then finds for each constant the smallest relative change that some
 // test notices.
 //
-// usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--jobs N] [--only NAME]...
+// usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--jobs N] [--only NAME]... [--into REPORT]
 //   TREE       the project; it is only read
 //   BUILD      a build of it that holds verification_tests
 //   WORK       directory for the copies, the verdicts and the result, faults.json. Verdicts that WORK holds already are
 //              not tried again, so a study that was stopped goes on, and only what has changed is run
 //   --quick    only the faults marked quick, and no constants, on the pages that these faults name
+//   --into     take the verdicts into an earlier report, whose others stay; each tells the commit that it was tried on
 //   --rebuild  compile the pages anew for each fault, as those marked `rebuild` are anyway: the slow way to the same
 // Exit codes: 0 every fault was noticed; 1 some were not, or one could not be applied or built; 4 a file cannot be
 // read.
@@ -32,6 +33,7 @@ using nlohmann::ordered_json;
 struct Options {
   std::vector<fs::path> places;
   std::set<std::string> only;  // names; empty: all
+  fs::path into;               // an earlier report; empty: a new one
   bool quick = false, rebuild = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
@@ -111,8 +113,9 @@ std::string in_words(const ordered_json& result) {
 
 class Study {
  public:
-  Study(Places places, Faults faults, bool quick)
+  Study(Places places, Faults faults, std::vector<std::string> names, bool quick)
       : places_(std::move(places)),
+        names_(std::move(names)),
         pages_(pages_of(places_, faults.methods_pages, faults.costly_tests)),
         faults_(std::move(faults)),
         results_(faults_.all.size()) {
@@ -160,17 +163,29 @@ class Study {
 
   int bad() const { return bad_; }  // not noticed, or not tried
 
-  ordered_json report() const {
+  // `earlier`: verdicts of faults that were not tried now; those that faults.toml no longer names are dropped.
+  ordered_json report(const ordered_json& earlier) const {
+    const std::string commit = commit_of(places_.tree);
+    std::map<std::string, ordered_json> kept;
+    for (ordered_json result : earlier.value("results", ordered_json::array())) {
+      if (!result.contains("commit")) result["commit"] = earlier.at("commit");
+      kept[result.at("name")] = std::move(result);
+    }
     std::map<std::string, std::set<std::string>> groups;
     std::set<std::string> silent;
     for (const Page& page : pages_) {
       silent.insert(page.tests.begin(), page.tests.end());
       if (page.turn != Turn::always) groups[turn_names[page.turn]].insert(page.tests.begin(), page.tests.end());
     }
-    ordered_json tried = ordered_json::array();
-    for (const ordered_json& result : results_) {
+    for (ordered_json result : results_) {
       if (result.is_null()) continue;  // the sound tree was not green
-      tried.push_back(result);
+      result["commit"] = commit;
+      kept[result.at("name")] = std::move(result);
+    }
+    ordered_json tried = ordered_json::array();
+    for (const std::string& name : names_) {
+      if (kept.count(name) == 0) continue;
+      const ordered_json& result = tried.emplace_back(kept[name]);
       for (const char* key : {"failed", "by"}) {
         for (const auto& test : result.value(key, ordered_json::array())) silent.erase(test.get<std::string>());
       }
@@ -180,10 +195,7 @@ class Study {
       const auto why = faults_.silent.find(test);
       noticed_nothing[test] = why == faults_.silent.end() ? "" : why->second;
     }
-    return {{"commit", commit_of(places_.tree)},
-            {"groups", groups},
-            {"results", tried},
-            {"noticed_nothing", noticed_nothing}};
+    return {{"commit", commit}, {"groups", groups}, {"results", tried}, {"noticed_nothing", noticed_nothing}};
   }
 
  private:
@@ -233,6 +245,7 @@ class Study {
   }
 
   Places places_;
+  std::vector<std::string> names_;  // of all faults, in their order
   std::vector<Page> pages_;
   Faults faults_;
   std::vector<ordered_json> results_;
@@ -250,6 +263,8 @@ bool read_options(int argc, char** argv, Options& options) {
       options.rebuild = true;
     } else if (word == "--jobs" && k + 1 < argc) {
       options.jobs = static_cast<unsigned>(std::max(1, std::atoi(argv[++k])));
+    } else if (word == "--into" && k + 1 < argc) {
+      options.into = argv[++k];
     } else if (word == "--only" && k + 1 < argc) {
       options.only.insert(argv[++k]);
     } else {
@@ -262,11 +277,17 @@ bool read_options(int argc, char** argv, Options& options) {
 int main_of(int argc, char** argv) {
   Options options;
   if (!read_options(argc, argv, options)) {
-    std::fprintf(stderr, "usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--jobs N] [--only NAME]...\n");
+    std::fprintf(
+        stderr,
+        "usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--jobs N] [--only NAME]... [--into REPORT]\n");
     return 2;
   }
   const Places places{options.places[0], options.places[1], options.places[2]};
   Faults faults = faults_in(places.tree / "verification/faults.toml");
+  std::vector<std::string> names;
+  for (const Fault& fault : faults.all) names.push_back(fault.name);
+  ordered_json earlier;
+  if (!options.into.empty()) earlier = ordered_json::parse(std::ifstream(options.into));
   std::erase_if(faults.all, [&](const Fault& f) {
     return (options.quick && f.quick.empty()) || (!options.only.empty() && options.only.count(f.name) == 0);
   });
@@ -276,11 +297,11 @@ int main_of(int argc, char** argv) {
   if (options.quick) options.jobs = 1;
   const std::size_t count = faults.all.size();
 
-  Study study(places, std::move(faults), options.quick);
+  Study study(places, std::move(faults), std::move(names), options.quick);
   study.try_all(false, options.jobs);
   study.try_all(true, options.jobs);
   const fs::path result = places.work / "faults.json";
-  std::ofstream(result) << study.report().dump(1) << "\n";
+  std::ofstream(result) << study.report(earlier).dump(1) << "\n";
   std::printf("%zu tried, %d not noticed or in trouble; %s\n", count, study.bad(), result.c_str());
   return study.bad() == 0 ? 0 : 1;
 }
