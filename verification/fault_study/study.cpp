@@ -169,7 +169,7 @@ class Study {
     std::map<std::string, ordered_json> kept;
     for (ordered_json result : earlier.value("results", ordered_json::array())) {
       if (!result.contains("commit")) result["commit"] = earlier.at("commit");
-      kept[result.at("name")] = std::move(result);
+      kept[result.at("name")] = result;
     }
     std::map<std::string, std::set<std::string>> groups;
     std::set<std::string> silent;
@@ -180,7 +180,7 @@ class Study {
     for (ordered_json result : results_) {
       if (result.is_null()) continue;  // the sound tree was not green
       result["commit"] = commit;
-      kept[result.at("name")] = std::move(result);
+      kept[result.at("name")] = result;
     }
     ordered_json tried = ordered_json::array();
     for (const std::string& name : names_) {
