@@ -33,7 +33,11 @@ void System::Slots::see(Candidates& list, int candidate, bool near) {
     slot = -1;
     return;
   }
-  if (unused.empty()) throw Divergence("more contacts than a plane holds: no tangential spring is left");
+  if (unused.empty())
+    throw Divergence(
+        "more contacts than a plane holds: no tangential spring is left, the bed is pressed to more than ten "
+        "neighbours a "
+        "disc; stiffer discs or a slower plate would help");
   slot = unused.back();
   unused.pop_back();
 }
