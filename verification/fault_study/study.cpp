@@ -286,7 +286,7 @@ int main_of(int argc, char** argv) {
   Faults faults = faults_in(places.tree / "verification/faults.toml");
   std::vector<std::string> names;
   for (const Fault& fault : faults.all) names.push_back(fault.name);
-  ordered_json earlier;
+  ordered_json earlier = ordered_json::object();
   if (!options.into.empty()) earlier = ordered_json::parse(std::ifstream(options.into));
   std::erase_if(faults.all, [&](const Fault& f) {
     return (options.quick && f.quick.empty()) || (!options.only.empty() && options.only.count(f.name) == 0);
