@@ -37,12 +37,17 @@ void in_ranges(int threads, std::size_t count, Pass&& pass) {
   });
 }
 
-// to = from; they have the same size.
-template <class Vector>
-void copy_in_ranges(int threads, const Vector& from, Vector& to) {
-  in_ranges(threads, from.size(), [&](std::size_t first, std::size_t last) {
-    std::copy(from.data() + first, from.data() + last, to.data() + first);
-  });
+// to[0 ... count) = from[0 ... count)
+template <class T>
+void copy_in_ranges(int threads, const T* from, std::size_t count, T* to) {
+  in_ranges(threads, count,
+            [&](std::size_t first, std::size_t last) { std::copy(from + first, from + last, to + first); });
+}
+
+// to[0 ... count) = value
+template <class T>
+void fill_in_ranges(int threads, T* to, std::size_t count, const T& value) {
+  in_ranges(threads, count, [&](std::size_t first, std::size_t last) { std::fill(to + first, to + last, value); });
 }
 
 }  // namespace furrow

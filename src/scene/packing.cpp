@@ -7,13 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "system/geometry.h"
+#include "system/search.h"
 
 namespace furrow {
 namespace {
 
 constexpr int most_attempts = 20'000;  // for one disc
-constexpr int large = 4'000;  // discs; from here on they are numbered by place, so that neighbours are near in memory
 
 // Uniform in [0, 1) with 53 bits: std::uniform_real_distribution is not the same everywhere.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -88,7 +87,8 @@ void place(Scene& scene, const Packing& p, std::size_t index) {
     scene.disc.push_back({.position = {x, y}, .radius = radius, .velocity = {}, .spin = 0, .material = p.material});
     placed.add(scene.disc.back());
   }
-  if (p.count < large) return;
+  // A large bed is numbered by place, so that neighbours are near in memory.
+  if (p.count <= NeighbourSearch::discs_a_chunk) return;
   const auto before = [&](const Disc& d, const Disc& e) {
     const double column_d = std::floor(d.position.x / p.radius_max), column_e = std::floor(e.position.x / p.radius_max);
     return column_d != column_e ? column_d < column_e : d.position.y < e.position.y;

@@ -14,7 +14,7 @@ JumpReport System::jump(double t, State& y) {
   if (friction_ && report.torn.empty()) {
     known_time_ = t;
     known_.resize(y.size());
-    copy_in_ranges(threads_, y, known_);
+    copy_in_ranges(threads_, y.data(), y.size(), known_.data());
   }
   return report;
 }
@@ -23,9 +23,7 @@ JumpReport System::jump(double t, State& y) {
 // state it leaves, so the rates there come with it.
 void System::return_springs(double t, State& y, JumpReport& report) {
   ++slots_.nearness.now;
-  in_ranges(threads_, relaxed_.size(), [&](std::size_t first, std::size_t last) {
-    std::fill(relaxed_.data() + first, relaxed_.data() + last, 0.0);
-  });
+  fill_in_ranges(threads_, relaxed_.data(), relaxed_.size(), 0.0);
   known_rates_.resize(y.size());
   std::fill(chunk_returned_.begin(), chunk_returned_.end(), 0.0);
   double& returned = chunk_returned_[0];

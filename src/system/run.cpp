@@ -97,7 +97,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   };
   EventSteps stepper(system, method, plan.locate, check);
   const auto accept = [&](const JumpReport& report) {
-    copy_in_ranges(system.threads(), y, before);
+    copy_in_ranges(system.threads(), y.data(), y.size(), before.data());
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
   };
   try {

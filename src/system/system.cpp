@@ -1,13 +1,9 @@
 #include "system/system.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <numeric>
-
-#include "physics/link.h"
 
 namespace furrow {
 namespace {
@@ -74,7 +70,6 @@ System::System(const Scene& scene)
   chunk_returned_.resize(chunks);
   disc_block_.resize(static_cast<std::size_t>(threads_));
   for (TouchBlock& c : disc_block_) {
-    c.kind = disc_disc;
     if (!alike_) continue;
     c.law.fill(parts_.law_of(disc.material[0], disc.material[0]));
     c.reduced_radius.fill(disc.radius[0] * disc.radius[0] / (disc.radius[0] + disc.radius[0]));
@@ -132,147 +127,6 @@ void System::place_nodes(const State& y) const {
 
 Placement System::placement(double t, const State& y) const {
   return {preparing_ ? 0 : t, y.data(), y.data() + bodies_, nodes_.x.data(), nodes_.y.data()};
-}
-
-void System::rhs(double t, const State& y, State& dydt) const {
-  if (t == known_time_ && y.size() == known_.size()) {
-    std::atomic<bool> differs = false;
-    in_ranges(threads_, y.size(), [&](std::size_t first, std::size_t last) {
-      if (std::memcmp(y.data() + first, known_.data() + first, (last - first) * sizeof y[0]) != 0) differs = true;
-    });
-    if (!differs) return copy_in_ranges(threads_, known_rates_, dydt);
-  }
-  add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
-}
-
-void System::look_around(double t, const State& y) const {
-  place_nodes(y);
-  search_.update(parts_, placement(t, y), threads_);
-  if (search_.chunks.size() <= 1) pack_discs(y);
-}
-
-void System::begin_rates(const State& y, State& dydt) const {
-  const auto speeds = static_cast<std::size_t>(2 * bodies_);
-  in_ranges(threads_, speeds, [&](std::size_t first, std::size_t last) {
-    std::copy(&y[speeds + first], &y[speeds] + last, &dydt[first]);
-  });
-  const auto rest = static_cast<std::size_t>(springs_);
-  in_ranges(threads_, dydt.size() - rest, [&](std::size_t first, std::size_t last) {
-    std::fill(dydt.data() + rest + first, dydt.data() + rest + last, 0.0);
-  });
-  disc_load_.resize(static_cast<std::size_t>(parts_.disc.count() + search_.spills));
-  in_ranges(threads_, disc_load_.size(), [&](std::size_t first, std::size_t last) {
-    std::fill(disc_load_.data() + first, disc_load_.data() + last, DiscLoad{});
-  });
-  std::fill(chunk_powers_.begin(), chunk_powers_.end(), ContactPowers{});
-  std::copy(parts_.node.load_x.begin(), parts_.node.load_x.end(), node_fx_.begin());
-  std::copy(parts_.node.load_y.begin(), parts_.node.load_y.end(), node_fy_.begin());
-}
-
-void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt) const {
-  if (c.kind == disc_disc) {
-    kernel_->add(c, search_.chunks.size() > 1 ? c.load_of_b.data() : c.b.data(), disc_load_.data());
-  } else if (of_disc(c.kind)) {
-    for (int k = 0; k < c.count; ++k) {
-      DiscLoad& sum = disc_load_[c.a[k]];
-      sum.fx += c.fx[k];
-      sum.fy += c.fy[k];
-      sum.torque += c.torque_a[k];
-    }
-  } else {
-    for (int k = 0; k < c.count; ++k) {
-      node_fx_[c.a[k]] += c.fx[k];
-      node_fy_[c.a[k]] += c.fy[k];
-    }
-  }
-  if (c.kind == disc_lattice) {
-    for (int k = 0; k < c.count; ++k) {
-      const int i = parts_.border.a[c.segment[k]];
-      const int j = parts_.border.b[c.segment[k]];
-      node_fx_[i] -= (1 - c.share[k]) * c.fx[k];
-      node_fy_[i] -= (1 - c.share[k]) * c.fy[k];
-      node_fx_[j] -= c.share[k] * c.fx[k];
-      node_fy_[j] -= c.share[k] * c.fy[k];
-    }
-  }
-  if (friction_) {
-    double* rate = dydt.data() + springs_;
-    double nowhere = 0;
-    for (int k = 0; k < c.count; ++k) *(c.slot[k] < 0 ? &nowhere : rate + c.slot[k]) = c.slip[k];
-  }
-  if (keeps_ledger_) add_to_ledger(c, chunk, t, dydt.data() + ledger_);
-}
-
-void System::join_chunks() const {
-  const DiscLoad* spill = disc_load_.data() + parts_.disc.count();
-  in_parallel(threads_, static_cast<int>(search_.spilled.size()), [&](int chunk, int /*thread*/) {
-    for (const NeighbourSearch::Spill& s : search_.spilled[chunk]) {
-      disc_load_[s.disc].fx += spill[s.number].fx;
-      disc_load_[s.disc].fy += spill[s.number].fy;
-      disc_load_[s.disc].torque += spill[s.number].torque;
-    }
-  });
-  ContactPowers& all = chunk_powers_[0];
-  for (std::size_t k = 1; k < chunk_powers_.size(); ++k) {
-    all.viscous += chunk_powers_[k].viscous;
-    all.friction += chunk_powers_[k].friction;
-    all.rolling += chunk_powers_[k].rolling;
-    all.stiffening += chunk_powers_[k].stiffening;
-  }
-}
-
-void System::finish_rates(State& dydt) const {
-  double* ax = dydt.data() + 2 * bodies_;
-  double* ay = dydt.data() + 3 * bodies_;
-  if (keeps_ledger_) {
-    double* work = dydt.data() + ledger_;
-    work[contact_viscous] = chunk_powers_[0].viscous;
-    work[friction_work] = chunk_powers_[0].friction;
-    work[rolling_work] = chunk_powers_[0].rolling;
-    work[stiffening] = chunk_powers_[0].stiffening;
-  }
-  add_link_forces(keeps_ledger_ ? dydt.data() + ledger_ : nullptr);
-  double* turning = friction_ ? dydt.data() + 4 * bodies_ : nullptr;
-  in_ranges(threads_, static_cast<std::size_t>(parts_.disc.count()), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      ax[i] = disc_load_[i].fx * inverse_mass_[i];
-      ay[i] = disc_load_[i].fy * inverse_mass_[i] - weight_[i];
-    }
-    for (std::size_t i = turning ? first : last; i < last; ++i) turning[i] = disc_load_[i].torque * inverse_inertia_[i];
-  });
-  for (int n = 0; n < parts_.node.count(); ++n) {
-    const int body = parts_.node.body[n];
-    if (body < 0) continue;
-    ax[body] = node_fx_[n] * inverse_mass_[body];
-    ay[body] = node_fy_[n] * inverse_mass_[body] - weight_[body];
-  }
-}
-
-void System::add_link_forces(double* work) const {
-  const LinkArrays& link = parts_.link;
-  double damping = 0;
-  for (const int k : intact_) {
-    const int a = link.a[k];
-    const int b = link.b[k];
-    const LinkForce f =
-        link_force(nodes_.x[a] - nodes_.x[b], nodes_.y[a] - nodes_.y[b], nodes_.vx[a] - nodes_.vx[b],
-                   nodes_.vy[a] - nodes_.vy[b], link.rest[k], link.stiffness[k], link.damping[k], link.axial[k] != 0);
-    node_fx_[a] += f.fx;
-    node_fy_[a] += f.fy;
-    node_fx_[b] -= f.fx;
-    node_fy_[b] -= f.fy;
-    damping += f.damping;
-  }
-  if (work) work[link_damping] = damping;
-}
-
-void System::add_to_ledger(const TouchBlock& c, int chunk, double t, double* work) const {
-  kernel_->add_powers(c, friction_, chunk_powers_[chunk]);
-  if (c.kind != disc_plate && c.kind != node_plate) return;
-  for (int k = 0; k < c.count; ++k) {
-    const PlateAt at = plate_at(c.b[k], t);
-    work[plate_work] += c.force_x(k) * at.vx + c.force_y(k) * at.vy;
-  }
 }
 
 std::string System::velocity_dependence() const {

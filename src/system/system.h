@@ -98,6 +98,7 @@ class System : public OdeSystem {
   struct Slots {
     std::vector<int> unused;
     Nearness nearness;
+    std::vector<char> changing;  // which blocks of a bed of many chunks hold a pair that takes or gives one back
 
     void see(Candidates& list, int candidate, bool near);
   };
@@ -105,6 +106,9 @@ class System : public OdeSystem {
   // Forces alone, the ledger's terms too, or all that a block names of those that touch.
   enum class Asker { rates, ledger, onlooker };
 
+  ContactModel contact_model() const {
+    return {parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
+  }
   void place_nodes(const State& y) const;
   Placement placement(double t, const State& y) const;
   void look_around(double t, const State& y) const;
@@ -166,7 +170,7 @@ class System : public OdeSystem {
 // Calls sink(block, chunk), for different chunks at once unless an onlooker asks.
 template <class Sink>
 void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const {
-  const ContactModel model{parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
+  const ContactModel model = contact_model();
   const int chunks = static_cast<int>(search_.chunks.size());
   if (slots && chunks > 1) see_pairs(y, *slots);
   in_parallel(asker == Asker::onlooker ? 1 : threads_, chunks, [&](int number, int thread) {
@@ -191,7 +195,7 @@ void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink
 
 template <class Sink>
 void System::for_each_flat_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const {
-  const ContactModel model{parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
+  const ContactModel model = contact_model();
   for (int kind = disc_disc + 1; kind < contact_kinds; ++kind) {
     const int count = search_.candidates[kind].count();
     for (int first = 0; first < count; first += TouchBlock::capacity) {

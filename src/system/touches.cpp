@@ -35,9 +35,8 @@ void System::Slots::see(Candidates& list, int candidate, bool near) {
   }
   if (unused.empty())
     throw Divergence(
-        "more contacts than a plane holds: no tangential spring is left, the bed is pressed to more than ten "
-        "neighbours a "
-        "disc; stiffer discs or a slower plate would help");
+        "more contacts than a plane holds: the bed is pressed to ten near neighbours a disc and no "
+        "tangential spring is left; stiffer discs or a slower plate would help");
   slot = unused.back();
   unused.pop_back();
 }
@@ -74,20 +73,17 @@ void System::fetch_ahead(const State& y, int first, int last) const {
 void System::see_pairs(const State& y, Slots& slots) const {
   Candidates& list = search_.candidates[disc_disc];
   constexpr int capacity = TouchBlock::capacity;
-  const int blocks = (list.count() + capacity - 1) / capacity;
-  std::vector<char> changes(static_cast<std::size_t>(blocks));
+  const auto end_of = [&](int block) { return std::min(list.count(), (block + 1) * capacity); };
+  slots.changing.resize(static_cast<std::size_t>((list.count() + capacity - 1) / capacity));
+  const int blocks = static_cast<int>(slots.changing.size());
   in_parallel(threads_, blocks, [&](int block, int thread) {
     TouchBlock& c = disc_block_[thread];
-    const int first = block * capacity;
-    c.count = std::min(list.count() - first, capacity);
-    std::copy(&list.a[first], &list.a[first] + c.count, &c.a[0]);
-    std::copy(&list.b[first], &list.b[first] + c.count, &c.b[0]);
-    std::copy(&list.slot[first], &list.slot[first] + c.count, &c.slot[0]);
-    pair_up(c, y);
-    changes[block] = kernel_->note_near(c, &list.near_at[first], slots.nearness) ? 1 : 0;
+    fill_discs(c, y, block * capacity, end_of(block), nullptr);
+    slots.changing[block] = kernel_->note_near(c, &list.near_at[block * capacity], slots.nearness) ? 1 : 0;
   });
-  for (int k = 0; k < list.count(); ++k) {
-    if (changes[k / capacity] != 0) slots.see(list, k, false);
+  for (int block = 0; block < blocks; ++block) {
+    if (slots.changing[block] == 0) continue;
+    for (int k = block * capacity; k < end_of(block); ++k) slots.see(list, k, false);
   }
 }
 
