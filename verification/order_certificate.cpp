@@ -28,8 +28,7 @@ using studies::Slope;
 const char* const slope_reason =
     "three standard errors of the fit, by Student's t, and twice what the next power of the step does to the slope, or "
     "0.05, and the predictor's share of the next power; no more than half of what the order would fall by with a "
-    "method "
-    "of one order less; where p is little above the limit, anything between the two";
+    "method of one order less; where p is little above the limit, anything between the two";
 
 const char* const cure_reason =
     "three standard errors of the fit, by Student's t, and twice what the next power of the step does to the slope, or "

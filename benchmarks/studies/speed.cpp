@@ -70,14 +70,12 @@ void add_rivals(Report& report, const Json& rivals) {
   report.heading("Other programs on the same scene");
   report.text("The second scene with what every program can express: " + rivals.at("discs").dump() +
               " discs that furrow has settled, E = 2e7 Pa, restitution 0.5, friction with history, no rolling, steps "
-              "of 1e-4 s. A "
-              "program agrees if after half a second at rest its bed is as high as furrow's within " +
+              "of 1e-4 s. A program agrees if after half a second at rest its bed is as high as furrow's within " +
               in_digits(1e3 * rivals.at("height_tolerance").get<double>(), 3) +
               " mm, and its mean push on the plate is " + in_digits(rivals.at("push").get<double>(), 3) + " N within " +
               in_digits(rivals.at("push_tolerance").get<double>(), 3) +
               " N, four standard deviations of furrow's own runs from starts that differ by 1e-9 m. Each program is "
-              "run in turn "
-              "with the others, on one thread of " +
+              "run in turn with the others, on one thread of " +
               rivals.at("machine").get<std::string>() +
               "; what it needs to start is taken off. Time a contact is that of a step over its evaluations and the " +
               in_digits(rivals.at("contacts").get<double>(), 3) + " contacts that touch on average." + widest_bound());
@@ -137,8 +135,7 @@ void add_limit(Report& report) {
 Json speed(const Settings& /*settings*/) {
   Report report("Speed",
                 "How fast is furrow beside other programs on the same scene and beside the machine's limit, where does "
-                "the time go, up "
-                "to how many discs, and from commit to commit?");
+                "the time go, up to how many discs, and from commit to commit?");
   std::ifstream file = opened("rivals.json", "scripts/rivals");
   const Json rivals = Json::parse(file);
   add_rivals(report, rivals);

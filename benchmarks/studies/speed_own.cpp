@@ -133,11 +133,10 @@ void add_scale(Report& report) {
   report.heading("How many discs");
   report.text(
       "The bed of the second scene, settled and put side by side, with friction and rolling, without the energy "
-      "ledger; "
-      "one thread, but for what is said of two; beds of no more than 4,096 discs do not share a step. A step is one of "
-      "the paper's method, with two evaluations and the jump map. Memory is the most that "
+      "ledger; one thread, but for what is said of two; beds of no more than 4,096 discs do not share a step. A step "
+      "is one of the paper's method, with two evaluations and the jump map. Memory is the most that "
       "the process has held, over its discs: for few discs it is that of the program. Numbered at random: "
-      "without regard to where they lie; the program numbers packings of 4,000 discs and more by place.");
+      "without regard to where they lie; the program numbers packings of more than 4,096 discs by place.");
   report.table("CPU time of a disc [ns] and its memory, median of several runs",
                {"discs", "evaluation", "numbered at random", "with a new neighbour list", "step", "steps a second",
                 "two threads: evaluation, times as fast", "step, times as fast", "memory [bytes]"},
@@ -172,8 +171,7 @@ Figure trend_of(const std::vector<Json>& lines) {
                 .script = "speed_trend.gp",
                 .caption =
                     "Instructions of each kernel, commit by commit, over those of the first commit followed. Dashed: 2 "
-                    "%, what CI "
-                    "lets pass without a reason.",
+                    "%, what CI lets pass without a reason.",
                 .description = "Change of instruction counts of each kernel from commit to commit"};
   Json points = Json::array();
   int panel = 0;
@@ -231,11 +229,9 @@ void add_tracking(Report& report) {
   report.heading("From commit to commit");
   report.text(
       "Fixed kernels, built for x86-64-v3. Each line of benchmarks/results/track.jsonl is one commit on one machine, "
-      "run in "
-      "turn with its base commit: the ratio of CPU time is the median and its 95 % interval, the noise floor is how "
-      "far "
-      "the base differs from itself. Faster or slower is said only where the whole interval lies beyond that floor. "
-      "The answer of each kernel is the same to the bit, or it is not compared. Last: " +
+      "run in turn with its base commit: the ratio of CPU time is the median and its 95 % interval, the noise floor is "
+      "how far the base differs from itself. Faster or slower is said only where the whole interval lies beyond "
+      "that floor. The answer of each kernel is the same to the bit, or it is not compared. Last: " +
       last.at("commit").get<std::string>() + " over " + last.at("base").get<std::string>() + ", " +
       last.at("context").at("machine").get<std::string>() + ".");
   if (lines.size() > 1) report.figure(trend_of(lines));

@@ -25,9 +25,9 @@ struct Part {
 // The first that fits counts. A function of no part (of the C and C++ libraries, mostly) belongs to whoever called it.
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
-      {"pairs of discs", {"::pair_up_", "System::fill_discs(", "System::pack_discs("}},
+      {"pairs of discs", {"::pair_up_", "System::pair_up(", "System::fill_discs(", "System::pack_discs("}},
       {"contact law", {"::evaluate_", "System::take_springs("}},
-      {"sums of forces", {"::add_none(", "::add_avx", "System::add_contacts("}},
+      {"sums of forces", {"::add_none(", "::add_avx", "System::add_contacts(", "System::join_chunks("}},
       {"walls, plate, border of the lattice", {"System::fill_flat(", "System::nearest_border(", "System::plate_at("}},
       {"links", {"System::add_link_forces(", "System::tear_links(", "System::place_nodes("}},
       {"neighbour search", {"NeighbourSearch::", "::Grid::"}},

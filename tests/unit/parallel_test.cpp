@@ -17,13 +17,13 @@ using namespace test;
 TEST(Parallel, EveryPieceIsDoneOnce) {
   for (const int threads : {1, 2, 5}) {
     std::vector<std::atomic<int>> done(37);
-    std::atomic<int> greatest = -1;
+    std::atomic<bool> strange = false;  // a thread of another number
     in_parallel(threads, 37, [&](int piece, int thread) {
       ++done[piece];
-      if (thread < 0 || thread >= threads) greatest = threads;
+      if (thread < 0 || thread >= threads) strange = true;
     });
     for (const auto& times : done) EXPECT_EQ(times, 1) << threads;
-    EXPECT_LT(greatest, threads);
+    EXPECT_FALSE(strange);
   }
 }
 
@@ -80,7 +80,6 @@ TEST(Threads, ChangeNoBitOfARun) {
     scene.search.threads = threads;
     System system(scene);
     EXPECT_EQ(system.threads(), threads);
-    EXPECT_EQ(system.search().chunks.size(), 0u);
     State y = system.initial_state();
     const RunEnd end = run(system, *make_method("pece"), y, {.start = 0, .end = 5e-4, .step = 2e-5, .stop = {}},
                            [](double, const State&, const JumpReport&) { return true; });

@@ -60,8 +60,7 @@ std::string how_made(const std::vector<RunRecord>& runs) {
 std::string scene_table(const std::vector<RunRecord>& runs) {
   std::string table =
       "| scene | steps | evaluations | CPU [s] | largest force [N] | links torn | energy residual, of the plate's work "
-      "| "
-      "state hash |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
+      "| state hash |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
   for (const RunRecord& run : runs) {
     const auto last = [&](const char* column) {
       return run.energy.rows() > 0 ? run.energy.numbers(column).back() : NAN;

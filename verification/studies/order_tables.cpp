@@ -131,8 +131,7 @@ void trends_table(Report& report, const Observations& all) {
       "that is reversed and run back, on a spring (where multistep methods pay for their start twice) and through "
       "a Hertz impact, against the prediction; relative change of the energy of an undamped oscillator in one "
       "period at h omega = 0.1, against the amplification of the scheme. In brackets the standard error in units of "
-      "the "
-      "last digit.",
+      "the last digit.",
       {"method", "evaluations a step", "at start", "way back: spring", "way back: Hertz", "predicted",
        "energy a period", "predicted"},
       rows);

@@ -187,9 +187,8 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes) {
       "Each scene is linearised at a moment: central differences of the right-hand side for all numbers that act, "
       "eigenvalues by Eigen. The predicted step is the least, over the spectrum, of the distance to the rim of the "
       "method's region; for methods that treat positions and velocities differently, the step at which their linear "
-      "form "
-      "grows on the whole Jacobian. The measured one is found by bisection with the method and the solver's right-hand "
-      "side themselves: a random change of 1e-11 m of the scene held still must not grow." +
+      "form grows on the whole Jacobian. The measured one is found by bisection with the method and the solver's "
+      "right-hand side themselves: a random change of 1e-11 m of the scene held still must not grow." +
       moving);
   report.figure(spectrum_figure(scenes));
   report.table(
