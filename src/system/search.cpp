@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "methods/ode.h"
 #include "methods/parallel.h"
+#include "methods/wide.h"
 
 namespace furrow {
 namespace {
@@ -20,26 +22,37 @@ double least_radius(const Parts& parts) {
   return std::isfinite(least) ? least : 1;
 }
 
+FURROW_WIDE bool all_within_lanes(const double* x, const double* y, const double* x0, const double* y0, double limit,
+                                  std::size_t n) {
+  std::int64_t far = 0;  // counted, not left at the first: several at once
+  for (std::size_t i = 0; i < n; ++i) {
+    const double dx = x[i] - x0[i];
+    const double dy = y[i] - y0[i];
+    far += dx * dx + dy * dy <= limit * limit ? 0 : 1;
+  }
+  return far == 0;
+}
+FURROW_WIDTHS(bool, all_within,
+              (const double* x, const double* y, const double* x0, const double* y0, double limit, std::size_t n),
+              (x, y, x0, y0, limit, n))
+
 // Whether a point has moved further than `limit` (m) or is not finite.
 bool moved(const double* x, const double* y, const std::vector<double>& x0, const std::vector<double>& y0, double limit,
            int threads) {
   std::atomic<bool> any = false;
   in_ranges(threads, x0.size(), [&](std::size_t first, std::size_t last) {
-    std::int64_t far = 0;  // counted, not left at the first: several at once
-    for (std::size_t i = first; i < last; ++i) {
-      const double dx = x[i] - x0[i];
-      const double dy = y[i] - y0[i];
-      far += dx * dx + dy * dy <= limit * limit ? 0 : 1;
-    }
-    if (far != 0) any = true;
+    if (!all_within(x + first, y + first, &x0[first], &y0[first], limit, last - first)) any = true;
   });
   return any;
 }
 
+}  // namespace
+
 // Discs sorted into square cells, by counting.
-class Grid {
+class NeighbourSearch::Grid {
  public:
-  Grid(const double* x, const double* y, int count, double cell) : x_(x), y_(y) {
+  Grid(const double* x, const double* y, int count, double cell, GridRoom& room)
+      : x_(x), y_(y), first_(room.first), disc_(room.disc) {
     const auto [left, right] = std::minmax_element(x, x + count);
     const auto [lower, upper] = std::minmax_element(y, y + count);
     left_ = *left;
@@ -55,8 +68,8 @@ class Grid {
     for (int i = 0; i < count; ++i) ++first_[cell_of(i) + 1];
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     disc_.resize(static_cast<std::size_t>(count));
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (int i = 0; i < count; ++i) disc_[next[cell_of(i)]++] = i;
+    room.next.assign(first_.begin(), first_.end() - 1);
+    for (int i = 0; i < count; ++i) disc_[room.next[cell_of(i)]++] = i;
   }
 
   // Calls visit(j) for every disc j in the cells within `reach` of disc i, itself included.
@@ -81,10 +94,8 @@ class Grid {
   const double* y_;
   double left_, lower_, cell_;
   int columns_, rows_;
-  std::vector<int> first_, disc_;
+  std::vector<int>&first_, &disc_;
 };
-
-}  // namespace
 
 NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
     : margin(margin_of_radius * least_radius(parts)),
@@ -97,9 +108,7 @@ void NeighbourSearch::update(const Parts& parts, const Placement& now, int threa
   if (idle_ || (made_ && !brute_force_ && current(parts, now, threads))) return;
   check_finite(parts, now);
   if (made_ && brute_force_) return;
-  for (int kind = 0; kind < contact_kinds; ++kind) {
-    replace(parts, static_cast<ContactKind>(kind), near_pairs(parts, now, static_cast<ContactKind>(kind)));
-  }
+  for (int kind = 0; kind < contact_kinds; ++kind) renew(parts, now, static_cast<ContactKind>(kind), threads);
   find_segments(parts, now);
   cut_into_chunks(parts.disc.count());
   remember(parts, now);
@@ -135,14 +144,9 @@ void NeighbourSearch::check_finite(const Parts& parts, const Placement& now) con
   }
 }
 
-std::vector<NeighbourSearch::Pair> NeighbourSearch::near_pairs(const Parts& parts, const Placement& now,
-                                                               ContactKind kind) const {
-  std::vector<Pair> near;
+void NeighbourSearch::near_flat(const Parts& parts, const Placement& now, ContactKind kind,
+                                std::vector<Pair>& near) const {
   const double reach = brute_force_ ? infinity : margin + skin_;
-  if (kind == disc_disc) {
-    near_discs(parts, now, near);
-    return near;
-  }
   const bool walls = kind == disc_wall || kind == node_wall;
   const int others = static_cast<int>(walls                  ? parts.wall.size()
                                       : kind == disc_lattice ? parts.lattice.size()
@@ -156,7 +160,6 @@ std::vector<NeighbourSearch::Pair> NeighbourSearch::near_pairs(const Parts& part
       if (touches) near.push_back({a, b});
     }
   }
-  return near;
 }
 
 // Border segments of lattice `lattice` closer to the disc than `reach`.
@@ -171,78 +174,122 @@ std::vector<int> NeighbourSearch::near_segments(const Parts& parts, const Placem
   return near;
 }
 
-void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, std::vector<Pair>& near) const {
-  const int count = parts.disc.count();
-  if (count < 2) return;
-  if (brute_force_) {
-    for (int i = 0; i < count; ++i) {
-      for (int j = i + 1; j < count; ++j) near.push_back({i, j});
-    }
-    return;
-  }
+// The pairs that have a disc of [first, last) as the first.
+void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, const Grid* grid, int first, int last,
+                                 std::vector<Pair>& near) const {
   const double* radius = parts.disc.radius.data();
-  const double greatest = *std::max_element(radius, radius + count);
-  const double reach = 2 * greatest + margin + skin_;
-  const Grid grid(now.disc_x, now.disc_y, count, cell_size_ > 0 ? cell_size_ : reach);
-  for (int i = 0; i < count; ++i) {
-    const std::size_t first = near.size();
-    grid.around(i, radius[i] + greatest + margin + skin_, [&](int j) {
+  for (int i = first; i < last; ++i) {
+    if (!grid) {
+      for (int j = i + 1; j < parts.disc.count(); ++j) near.push_back({i, j});
+      continue;
+    }
+    const auto start = static_cast<std::ptrdiff_t>(near.size());
+    grid->around(i, radius[i] + greatest_radius_ + margin + skin_, [&](int j) {
       if (j <= i) return;
       const double dx = now.disc_x[j] - now.disc_x[i];
       const double dy = now.disc_y[j] - now.disc_y[i];
       const double within = radius[i] + radius[j] + margin + skin_;
       if (dx * dx + dy * dy < within * within) near.push_back({i, j});
     });
-    std::sort(near.begin() + static_cast<std::ptrdiff_t>(first), near.end(),
-              [](const Pair& p, const Pair& q) { return p.b < q.b; });
+    std::sort(near.begin() + start, near.end(), [](const Pair& p, const Pair& q) { return p.b < q.b; });
   }
 }
 
-// The new list: the near pairs, and of the old one those that still hold a slot. Both are sorted.
-void NeighbourSearch::replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near) {
-  Candidates& old = candidates[kind];
-  Candidates fresh;
-  const auto before = [](const Pair& p, const Pair& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
-  const auto add = [&](const Pair& p, int slot, std::uint32_t near_at) {
-    const int own = of_disc(kind) ? parts.disc.material[p.a] : parts.node.material[p.a];
-    const double radius = of_disc(kind) ? parts.disc.radius[p.a] : parts.node.contact_radius[p.a];
-    const double mass = of_disc(kind) ? parts.disc.mass[p.a] : parts.node.mass[p.a];
-    fresh.a.push_back(p.a);
-    fresh.b.push_back(p.b);
-    fresh.slot.push_back(slot);
-    fresh.near_at.push_back(near_at);
-    if (kind == disc_disc) {
-      const double other = parts.disc.radius[p.b];
-      const double other_mass = parts.disc.mass[p.b];
-      fresh.reduced_radius.push_back(radius * other / (radius + other));
-      fresh.reduced_mass.push_back(mass * other_mass / (mass + other_mass));
-      fresh.law.push_back(parts.law_of(own, parts.disc.material[p.b]));
+// A new list, of discs chunk by chunk. What it needs of room is kept for the next one: large beds would spend most of
+// their time on getting it anew.
+void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKind kind, int threads) {
+  const int discs = parts.disc.count();
+  const bool pairs = kind == disc_disc;
+  const int pieces = pairs ? (discs + discs_a_chunk - 1) / discs_a_chunk : 1;
+  pieces_.resize(static_cast<std::size_t>(std::max(pieces, static_cast<int>(pieces_.size()))));
+  std::optional<Grid> grid;
+  if (pairs && discs > 0 && !brute_force_) {
+    greatest_radius_ = *std::max_element(parts.disc.radius.begin(), parts.disc.radius.end());
+    const double reach = 2 * greatest_radius_ + margin + skin_;
+    grid.emplace(now.disc_x, now.disc_y, discs, cell_size_ > 0 ? cell_size_ : reach, grid_room_);
+  }
+  in_parallel(threads, pieces, [&](int k, int /*thread*/) {
+    Piece& piece = pieces_[k];
+    piece.near.clear();
+    if (pairs) {
+      near_discs(parts, now, grid ? &*grid : nullptr, k * discs_a_chunk, std::min(discs, (k + 1) * discs_a_chunk),
+                 piece.near);
     } else {
-      fresh.reduced_radius.push_back(radius);
-      fresh.reduced_mass.push_back(mass);
-      const int other = kind == disc_lattice                     ? parts.lattice[p.b].material
-                        : kind == disc_wall || kind == node_wall ? parts.wall[p.b].material
-                                                                 : parts.plate[p.b].material;
-      fresh.law.push_back(parts.law_of(own, other));
+      near_flat(parts, now, kind, piece.near);
     }
-  };
+    const bool chunk = pairs && made_;
+    keep_held(candidates[kind], chunk ? chunks[k].first_pair : 0,
+              chunk ? chunks[k].last_pair : candidates[kind].count(), piece);
+  });
+  int count = 0;
+  for (int k = 0; k < pieces; ++k) {
+    pieces_[k].start = count;
+    count += static_cast<int>(pieces_[k].member.size());
+  }
+  candidates[kind].resize(count);
+  in_parallel(threads, pieces, [&](int k, int /*thread*/) { write_out(parts, kind, pieces_[k]); });
+}
+
+// The near pairs, and of the old list those that still hold a slot. Both are sorted.
+void NeighbourSearch::keep_held(const Candidates& old, int first, int last, Piece& piece) {
+  const std::vector<Pair>& near = piece.near;
+  const auto before = [](const Pair& p, const Pair& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
+  piece.member.clear();
   std::size_t n = 0;
-  for (int k = 0; k < old.count(); ++k) {
+  for (int k = first; k < last; ++k) {
     if (old.slot[k] < 0) continue;
     const Pair kept{old.a[k], old.b[k]};
-    while (n < near.size() && before(near[n], kept)) add(near[n++], -1, 0);
+    for (; n < near.size() && before(near[n], kept); ++n) piece.member.push_back({near[n], -1, 0});
     if (n < near.size() && !before(kept, near[n])) ++n;
-    add(kept, old.slot[k], old.near_at[k]);
+    piece.member.push_back({kept, old.slot[k], old.near_at[k]});
   }
-  while (n < near.size()) add(near[n++], -1, 0);
-  old = std::move(fresh);
+  for (; n < near.size(); ++n) piece.member.push_back({near[n], -1, 0});
+}
+
+void NeighbourSearch::write_out(const Parts& parts, ContactKind kind, const Piece& piece) {
+  Candidates& list = candidates[kind];
+  int k = piece.start;
+  for (const Member& m : piece.member) {
+    const auto [a, b] = m.pair;
+    const int own = of_disc(kind) ? parts.disc.material[a] : parts.node.material[a];
+    const double radius = of_disc(kind) ? parts.disc.radius[a] : parts.node.contact_radius[a];
+    const double mass = of_disc(kind) ? parts.disc.mass[a] : parts.node.mass[a];
+    list.a[k] = a;
+    list.b[k] = b;
+    list.slot[k] = m.slot;
+    list.near_at[k] = m.near_at;
+    if (kind == disc_disc) {
+      const double other = parts.disc.radius[b];
+      const double other_mass = parts.disc.mass[b];
+      list.reduced_radius[k] = radius * other / (radius + other);
+      list.reduced_mass[k] = mass * other_mass / (mass + other_mass);
+      list.law[k] = parts.law_of(own, parts.disc.material[b]);
+    } else {
+      list.reduced_radius[k] = radius;
+      list.reduced_mass[k] = mass;
+      const int other = kind == disc_lattice                     ? parts.lattice[b].material
+                        : kind == disc_wall || kind == node_wall ? parts.wall[b].material
+                                                                 : parts.plate[b].material;
+      list.law[k] = parts.law_of(own, other);
+    }
+    ++k;
+  }
+}
+
+void Candidates::resize(int count) {
+  const auto n = static_cast<std::size_t>(count);
+  for (auto* whole : {&a, &b, &slot, &law}) whole->resize(n);
+  near_at.resize(n);
+  reduced_radius.resize(n);
+  reduced_mass.resize(n);
 }
 
 void NeighbourSearch::cut_into_chunks(int discs) {
   const Candidates& list = candidates[disc_disc];
   const std::size_t count = static_cast<std::size_t>((discs + discs_a_chunk - 1) / discs_a_chunk);
   chunks.clear();
-  spilled.assign(count, {});
+  spilled.resize(count);
+  for (std::vector<Spill>& into : spilled) into.clear();
   spills = 0;
   int pair = 0;
   for (int first = 0; first < discs; first += discs_a_chunk) {

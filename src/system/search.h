@@ -32,6 +32,7 @@ struct Candidates {
   std::vector<int> first_segment;      // disc-lattice: candidate k may touch segment[first_segment[k] ...]
   std::vector<int> segment;
   int count() const { return static_cast<int>(a.size()); }
+  void resize(int count);  // all but the segments
 };
 
 // Discs that follow each other, and the pairs that have one of them as the first. What a pair does to a disc of a later
@@ -67,14 +68,31 @@ class NeighbourSearch {
   struct Pair {
     int a, b;
   };
+  struct Member {
+    Pair pair;
+    int slot;
+    std::uint32_t near_at;
+  };
+  struct Piece {  // of a new list
+    std::vector<Pair> near;
+    std::vector<Member> member;
+    int start = 0;
+  };
+  struct GridRoom {
+    std::vector<int> first, next, disc;
+  };
+  class Grid;
 
   bool current(const Parts& parts, const Placement& now, int threads) const;
   void remember(const Parts& parts, const Placement& now);
   void check_finite(const Parts& parts, const Placement& now) const;
-  std::vector<Pair> near_pairs(const Parts& parts, const Placement& now, ContactKind kind) const;
+  void renew(const Parts& parts, const Placement& now, ContactKind kind, int threads);
+  void near_flat(const Parts& parts, const Placement& now, ContactKind kind, std::vector<Pair>& near) const;
   std::vector<int> near_segments(const Parts& parts, const Placement& now, int disc, int lattice, double reach) const;
-  void near_discs(const Parts& parts, const Placement& now, std::vector<Pair>& near) const;
-  void replace(const Parts& parts, ContactKind kind, const std::vector<Pair>& near);
+  void near_discs(const Parts& parts, const Placement& now, const Grid* grid, int first, int last,
+                  std::vector<Pair>& near) const;
+  static void keep_held(const Candidates& old, int first, int last, Piece& piece);
+  void write_out(const Parts& parts, ContactKind kind, const Piece& piece);
   void find_segments(const Parts& parts, const Placement& now);
   void cut_into_chunks(int discs);
 
@@ -85,6 +103,9 @@ class NeighbourSearch {
   bool made_ = false;
   double made_at_ = 0;  // s
   std::vector<double> disc_x_, disc_y_, node_x_, node_y_;
+  double greatest_radius_ = 0;  // m
+  GridRoom grid_room_;
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace furrow

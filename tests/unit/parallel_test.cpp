@@ -81,10 +81,11 @@ TEST(Threads, ChangeNoBitOfARun) {
     System system(scene);
     EXPECT_EQ(system.threads(), threads);
     State y = system.initial_state();
-    const RunEnd end = run(system, *make_method("pece"), y, {.start = 0, .end = 5e-4, .step = 2e-5, .stop = {}},
+    const RunEnd end = run(system, *make_method("pece"), y, {.start = 0, .end = 2e-3, .step = 2e-5, .stop = {}},
                            [](double, const State&, const JumpReport&) { return true; });
     EXPECT_EQ(end.ending, Ending::finished) << end.reason;
     EXPECT_EQ(system.search().chunks.size(), 3u);
+    EXPECT_GT(system.search().rebuilds, 2);
     EXPECT_GT(system.search().spills, 5000);
     ends.push_back(y);
   }
