@@ -16,7 +16,7 @@ class AdamsBashforth2 final : public Method {
 
   double step(const OdeSystem& system, double t, State& y, double h) override {
     now_.resize(y.size());
-    evaluate(system, t, y, now_);
+    evaluate_start(system, t, y, now_);
     if (h_before_ == 0) {
       before_ = now_;
       h_before_ = h;

@@ -1,6 +1,7 @@
 // An integration method as the rest of furrow sees it, and the catalogue of methods by name.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -47,6 +48,17 @@ class Method {
   // the rates of the springs and of the ledger are not.
   virtual void state_changed() {}
 
+  // Whoever knows the rates where the next step starts may say so before it, once for each step; the method then spares
+  // itself that evaluation, which counts all the same. `rates` gets other contents.
+  void know(double t, State& rates) {
+    known_at_ = t;
+    known_.swap(rates);
+  }
+  void know_nothing() { known_at_ = NAN; }
+
+  // Where the last step started from, if the method has kept it: then y was left as it is until the step had succeeded.
+  virtual const State* start() const { return nullptr; }
+
   const MethodInfo& info() const { return info_; }
   long evaluations() const { return evaluations_; }
   long rejections() const { return rejections_; }
@@ -58,9 +70,21 @@ class Method {
     system.rhs(t, y, dydt);
   }
 
+  // The same, for the state that a step starts from.
+  void evaluate_start(const OdeSystem& system, double t, const State& y, State& dydt) {
+    if (t != known_at_ || known_.size() != y.size()) return evaluate(system, t, y, dydt);
+    ++evaluations_;
+    dydt.swap(known_);
+    know_nothing();
+  }
+
   MethodInfo info_;
   long evaluations_ = 0;
   long rejections_ = 0;
+
+ private:
+  State known_;
+  double known_at_ = NAN;  // s
 };
 
 // All methods, own ones first.

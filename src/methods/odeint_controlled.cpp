@@ -65,7 +65,7 @@ class Controlled final : public ControlledOdeint {
   void begin(const OdeSystem& system, double t, const State& y) override {
     if (y.size() != now_.size()) stepper_ = made();  // its rooms never grow
     for (State* room : {&now_, &next_, &next_now_}) room->resize(y.size());
-    if (!fresh_) evaluate(system, t, y, now_);
+    if (!fresh_) evaluate_start(system, t, y, now_);
     fresh_ = true;
   }
 

@@ -28,7 +28,10 @@ class Fixed final : public Method {
     if (h != h_) restart();
     size_ = y.size();
     h_ = h;
-    const auto f = [&](const State& state, State& dydt, double time) { evaluate(system, time, state, dydt); };
+    const auto f = [&](const State& state, State& dydt, double time) {
+      // y itself is changed last, so that at t it is still the start.
+      &state == &y&& time == t ? evaluate_start(system, t, y, dydt) : evaluate(system, time, state, dydt);
+    };
     stepper_.do_step(f, y, t, h);
     return h;
   }

@@ -14,7 +14,7 @@
 // lambda| on the imaginary one. Sources: Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al.
 // 2004, as the paper cites it; the forms: Hairer, Norsett and Wanner, Solving ODEs I, III.1 and III.8.
 #include "methods/method.h"
-#include "methods/parallel.h"
+#include "methods/passes.h"
 
 namespace furrow {
 namespace {
@@ -28,7 +28,7 @@ class Pece final : public Method {
   double step(const OdeSystem& system, double t, State& y, double h) override {
     const std::size_t n = y.size();
     for (State* room : {&now_, &before_, &predicted_, &next_}) room->resize(n);
-    if (form_ != Form::pec || h_before_ == 0) evaluate(system, t, y, now_);
+    if (form_ != Form::pec || h_before_ == 0) evaluate_start(system, t, y, now_);
     if (h_before_ == 0) {
       before_ = now_;
       h_before_ = h;
@@ -37,17 +37,13 @@ class Pece final : public Method {
     const double on_now = h * (1 + 0.5 * r);
     const double on_before = h * (0.5 * r);
     const int threads = system.threads();
-    in_ranges(threads, n, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) predicted_[i] = y[i] + (on_now * now_[i] - on_before * before_[i]);
-    });
+    extrapolate(threads, y, on_now, now_, on_before, before_, predicted_);
     const double half = 0.5 * h;
     for (int corrections = form_ == Form::pecece ? 2 : 1; corrections > 0; --corrections) {
       evaluate(system, t + h, predicted_, next_);
-      State& corrected = corrections > 1 ? predicted_ : y;
-      in_ranges(threads, n, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) corrected[i] = y[i] + half * (next_[i] + now_[i]);
-      });
+      add_mean(threads, y, half, next_, now_, predicted_);
     }
+    y.swap(predicted_);
     std::swap(now_, before_);
     if (form_ == Form::pec) now_.swap(next_);
     h_before_ = h;
@@ -55,6 +51,7 @@ class Pece final : public Method {
   }
 
   void restart() override { h_before_ = 0; }
+  const State* start() const override { return &predicted_; }
 
  private:
   Form form_;

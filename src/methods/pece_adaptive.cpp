@@ -22,7 +22,7 @@ class PeceAdaptive final : public ControlledMethod {
   }
 
  protected:
-  void prepare(const OdeSystem& system, double t, const State& y) override { evaluate(system, t, y, now_); }
+  void prepare(const OdeSystem& system, double t, const State& y) override { evaluate_start(system, t, y, now_); }
 
   void attempt(const OdeSystem& system, double t, const State& y, double h) override {
     const bool started = h_before_ > 0;

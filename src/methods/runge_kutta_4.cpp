@@ -14,7 +14,7 @@ class RungeKutta4 final : public Method {
 
   double step(const OdeSystem& system, double t, State& y, double h) override {
     for (State* room : {&k1_, &k2_, &k3_, &k4_, &stage_}) room->resize(y.size());
-    evaluate(system, t, y, k1_);
+    evaluate_start(system, t, y, k1_);
     move(y, 0.5 * h, k1_);
     evaluate(system, t + 0.5 * h, stage_, k2_);
     move(y, 0.5 * h, k2_);

@@ -76,7 +76,7 @@ class RungeKuttaChebyshev final : public ControlledMethod {
 
  protected:
   void prepare(const OdeSystem& system, double t, const State& y) override {
-    if (!fresh_) evaluate(system, t, y, now_);
+    if (!fresh_) evaluate_start(system, t, y, now_);
     fresh_ = true;
   }
 

@@ -17,7 +17,7 @@ class SymplecticEuler final : public Method {
   double step(const OdeSystem& system, double t, State& y, double h) override {
     const std::size_t q = system.positions();
     now_.resize(y.size());
-    evaluate(system, t, y, now_);
+    evaluate_start(system, t, y, now_);
     for (std::size_t i = q; i < y.size(); ++i) y[i] += h * now_[i];
     for (std::size_t i = 0; i < q; ++i) y[i] += h * y[q + i];
     return h;

@@ -24,7 +24,7 @@ class Verlet final : public Method {
     const std::size_t q = system.positions();
     if (!started_) {
       for (State* room : {&now_, &next_, &predicted_}) room->resize(n);
-      evaluate(system, t, y, now_);
+      evaluate_start(system, t, y, now_);
       started_ = true;
     }
     const double half = 0.5 * h;

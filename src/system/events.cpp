@@ -53,6 +53,17 @@ std::vector<int> overstretched(const System& system, const State& y) {
 
 }  // namespace
 
+JumpReport jump(System& system, Method& method, double t, State& y) {
+  const JumpReport report = system.jump(t, y);
+  if (report.flow_jumped()) {
+    method.restart();
+  } else if (report.springs_changed) {
+    method.state_changed();
+  }
+  report.rates ? method.know(t, *report.rates) : method.know_nothing();
+  return report;
+}
+
 Regime EventSteps::regime(double t, const State& y) const {
   Regime r{{}, overstretched(system_, y)};
   if (what_ != Locate::all) return r;
@@ -144,14 +155,9 @@ double EventSteps::next_time(double t, double end, double h) {
 
 void EventSteps::accept(const State& before, double t, State& y, double h, JumpReport& report) {
   check_(before, y, h);
-  const JumpReport jump = system_.jump(t, y);
-  report.torn.insert(report.torn.end(), jump.torn.begin(), jump.torn.end());
-  report.springs_changed = report.springs_changed || jump.springs_changed;
-  if (jump.flow_jumped()) {
-    method_.restart();
-  } else if (jump.springs_changed) {
-    method_.state_changed();
-  }
+  const JumpReport one = jump(system_, method_, t, y);
+  report.torn.insert(report.torn.end(), one.torn.begin(), one.torn.end());
+  report.springs_changed = report.springs_changed || one.springs_changed;
 }
 
 // From (t, y) to just behind the event that a trial step met before `bound`. The first two steps stop short of it, so

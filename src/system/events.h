@@ -38,6 +38,9 @@ struct Regime {
   bool operator==(const Regime&) const = default;
 };
 
+// Applies the jumps to y at t, and tells the method what it needs to know of them.
+JumpReport jump(System& system, Method& method, double t, State& y);
+
 class EventSteps {
  public:
   // `check` throws Divergence if the step from one state to another is not sound.

@@ -8,45 +8,43 @@
 namespace furrow {
 JumpReport System::jump(double t, State& y) {
   JumpReport report;
-  known_.clear();
   if (friction_) return_springs(t, y, report);
   if (!preparing_) tear_links(t, y, report);
-  if (friction_ && report.torn.empty()) {
-    known_time_ = t;
-    known_.resize(y.size());
-    copy_in_ranges(threads_, y.data(), y.size(), known_.data());
-  }
+  report.rates = friction_ && report.torn.empty() ? &rates_ : nullptr;
   return report;
 }
 
 // Springs return to |xi| <= mu Fn / St, that of an opened contact relaxes. The forces that this takes are those of the
-// state it leaves, so the rates there come with it.
+// state it leaves, so the rates there come with it. Each spring belongs to one contact, so it may be written at once.
 void System::return_springs(double t, State& y, JumpReport& report) {
   ++slots_.nearness.now;
-  fill_in_ranges(threads_, relaxed_.data(), relaxed_.size(), 0.0);
-  known_rates_.resize(y.size());
+  rates_.resize(y.size());
+  double* spring = y.data() + springs_;
+  slots_.spring = spring;
+  std::atomic<bool> changed = false;
   std::fill(chunk_returned_.begin(), chunk_returned_.end(), 0.0);
+  slots_.relaxed = false;
   double& returned = chunk_returned_[0];
   if (keeps_ledger_) returned = y[ledger_of(friction_work)];
-  add_up(t, y, &slots_, known_rates_, [&](const TouchBlock& c, int chunk) {
-    double nowhere = 0;
+  add_up(t, y, &slots_, rates_, [&](const TouchBlock& c, int chunk) {
+    int moved = 0;
+    const int spare = spare_of(chunk);
     for (int k = 0; k < c.count; ++k) {
-      const int slot = c.slot[k];
-      *(slot < 0 ? &nowhere : &relaxed_[slot]) = c.spring[k];
-      if (!keeps_ledger_ || slot < 0) continue;
-      const double spring = y[springs_ + slot];
-      chunk_returned_[chunk] += 0.5 * c.shear_stiffness[k] * (spring * spring - c.spring[k] * c.spring[k]);
+      double& held = spring[c.slot[k] < 0 ? spare : c.slot[k]];
+      if (keeps_ledger_)
+        chunk_returned_[chunk] += 0.5 * c.shear_stiffness[k] * (held * held - c.spring[k] * c.spring[k]);
+      moved += held != c.spring[k] ? 1 : 0;
+      held = c.spring[k];
     }
+    if (moved != 0) changed = true;
   });
+  empty_spares(y);
+  if (slots_.nearness.now == 1) {  // the state may come from elsewhere
+    for (const int slot : slots_.unused) slots_.relax(slot);
+  }
   for (std::size_t k = 1; k < chunk_returned_.size(); ++k) returned += chunk_returned_[k];
   if (keeps_ledger_) y[ledger_of(friction_work)] = returned;
-  double* spring = y.data() + springs_;
-  std::atomic<bool> changed = false;
-  in_ranges(threads_, relaxed_.size(), [&](std::size_t first, std::size_t last) {
-    if (!std::equal(relaxed_.data() + first, relaxed_.data() + last, spring + first)) changed = true;
-    std::copy(relaxed_.data() + first, relaxed_.data() + last, spring + first);
-  });
-  report.springs_changed = changed;
+  report.springs_changed = changed || slots_.relaxed;
 }
 
 void System::tear_links(double t, State& y, JumpReport& report) {

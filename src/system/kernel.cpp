@@ -1,54 +1,64 @@
 #include "system/kernel.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <string_view>
+
+#include "methods/wide.h"
 
 namespace furrow {
 namespace {
 
-// Inlined into functions for different processors, which a call could not be.
-#define FURROW_LANES [[gnu::always_inline]] inline
-
-FURROW_LANES int whole_lanes(int count) { return (count + TouchBlock::lanes - 1) & -TouchBlock::lanes; }
+FURROW_WIDE int whole_lanes(int count) { return (count + TouchBlock::lanes - 1) & -TouchBlock::lanes; }
 
 using Four [[gnu::vector_size(32)]] = double;
 
-FURROW_LANES void pair_up(TouchBlock& c, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second) {
-  for (int k = 0; k < c.count; ++k) {
-    const TouchBlock::DiscPair& p = first[c.a[k]];
-    const TouchBlock::DiscPair& q = second[c.b[k]];
-    c.pair[k] = {p.dx - q.dx,         p.dy - q.dy,
-                 p.vx - q.vx,         p.vy - q.vy,
-                 p.spin_a - q.spin_a, p.radius_a - q.radius_a,
-                 p.spin_b - q.spin_b, p.radius_b - q.radius_b};
-  }
-}
-
-FURROW_LANES void pair_up_scattered(TouchBlock& c, const DiscMotion& disc) {
-  for (int k = 0; k < c.count; ++k) {
+// One lane after the other: that takes less than the gather instructions of the processors at hand.
+template <bool Spins, bool Radii>
+void pair_up_loop(TouchBlock& c, const DiscMotion& disc) {
+  const DiscMotion from = disc;
+  const int count = c.count;
+  int before = -1;
+  double x = 0, y = 0, vx = 0, vy = 0, spin = 0, radius = 0;
+  for (int k = 0; k < count; ++k) {
     const int a = c.a[k];
     const int b = c.b[k];
-    c.pair[k] = {
-        disc.x[b] - disc.x[a],        disc.y[b] - disc.y[a], disc.vx[a] - disc.vx[b],      disc.vy[a] - disc.vy[b],
-        disc.spin ? disc.spin[a] : 0, disc.radius[a],        disc.spin ? disc.spin[b] : 0, disc.radius[b]};
+    if (a != before) {
+      x = from.x[a];
+      y = from.y[a];
+      vx = from.vx[a];
+      vy = from.vy[a];
+      if constexpr (Spins) spin = from.spin[a];
+      if constexpr (Radii) radius = from.radius[a];
+      before = a;
+    }
+    c.dx[k] = from.x[b] - x;
+    c.dy[k] = from.y[b] - y;
+    c.vx[k] = vx - from.vx[b];
+    c.vy[k] = vy - from.vy[b];
+    if constexpr (Spins) {
+      c.spin_a[k] = spin;
+      c.spin_b[k] = from.spin[b];
+    }
+    if constexpr (Radii) {
+      c.radius_a[k] = radius;
+      c.radius_b[k] = from.radius[b];
+    }
   }
 }
 
-FURROW_LANES bool note_near(const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness) {
+FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness) {
   const double margin = nearness.margin;
   const std::uint32_t now = nearness.now;
   TouchBlock::Lanes<std::uint32_t> near;
   for (int k = 0; k < c.count; ++k) {
-    const TouchBlock::DiscPair& p = c.pair[k];
-    const double reach = p.radius_a + p.radius_b + margin;
-    near[k] = p.dx * p.dx + p.dy * p.dy < reach * reach ? 1 : 0;
+    const double reach = c.radius_a[k] + c.radius_b[k] + margin;
+    near[k] = c.dx[k] * c.dx[k] + c.dy[k] * c.dy[k] < reach * reach ? 1 : 0;
   }
   std::uint32_t changes = 0;
   for (int k = 0; k < c.count; ++k) {
     near_at[k] = near[k] != 0 ? now : near_at[k];
-    changes |= slot_changes(c.slot[k], near_at[k], now) ? 1 : 0;
+    const std::uint32_t unheld = c.slot[k] < 0 ? 1 : 0, quiet = now - near_at[k] > quiet_jumps ? 1 : 0;
+    changes |= (unheld & near[k]) | ((unheld ^ 1) & quiet);
   }
   return changes != 0;
 }
@@ -59,35 +69,34 @@ struct Lane {
   bool touching;
 };
 
-FURROW_LANES Lane lane_of_discs(const TouchBlock& c, int k, double lever) {
-  const TouchBlock::DiscPair& p = c.pair[k];
+FURROW_WIDE Lane lane_of_discs(const TouchBlock& c, int k, double lever) {
   const double half = 0.5 * lever;
-  const double distance2 = p.dx * p.dx + p.dy * p.dy;
-  const double within = p.radius_a + p.radius_b;
+  const double distance2 = c.dx[k] * c.dx[k] + c.dy[k] * c.dy[k];
+  const double within = c.radius_a[k] + c.radius_b[k];
   const double distance = std::sqrt(distance2);
   const bool touching = distance2 < within * within;
   const double overlap = touching ? within - distance : 0;
-  return {p.dx / distance,
-          p.dy / distance,
+  return {c.dx[k] / distance,
+          c.dy[k] / distance,
           overlap,
-          p.vx,
-          p.vy,
-          p.spin_a,
-          p.spin_b,
-          p.radius_a,
-          p.radius_b,
-          p.radius_a - half * overlap,
-          p.radius_b - half * overlap,
+          c.vx[k],
+          c.vy[k],
+          c.spin_a[k],
+          c.spin_b[k],
+          c.radius_a[k],
+          c.radius_b[k],
+          c.radius_a[k] - half * overlap,
+          c.radius_b[k] - half * overlap,
           touching};
 }
 
-FURROW_LANES Lane lane_as_filled(const TouchBlock& c, int k) {
+FURROW_WIDE Lane lane_as_filled(const TouchBlock& c, int k) {
   return {c.nx[k],     c.ny[k],       c.overlap[k],  c.vx[k],    c.vy[k],    c.spin_a[k],
           c.spin_b[k], c.radius_a[k], c.radius_b[k], c.arm_a[k], c.arm_b[k], true};
 }
 
 // What only an onlooker and the ledger need.
-FURROW_LANES void store_details(TouchBlock& c, int k, const Lane& lane, const TouchForce& f) {
+FURROW_WIDE void store_details(TouchBlock& c, int k, const Lane& lane, const TouchForce& f) {
   c.touching[k] = lane.touching ? 1 : 0;
   c.nx[k] = lane.nx;
   c.ny[k] = lane.ny;
@@ -110,7 +119,7 @@ FURROW_LANES void store_details(TouchBlock& c, int k, const Lane& lane, const To
 }
 
 template <bool Discs, bool OneLaw, bool Rolling, bool Returning, bool Details>
-FURROW_LANES void law_lanes(TouchBlock& c, const ContactModel& model) {
+FURROW_WIDE void law_lanes(TouchBlock& c, const ContactModel& model) {
   const ContactLaw* laws = model.law;
   const ContactLaw only = *laws;
   const double rolling_smoothing = model.rolling_smoothing;
@@ -142,7 +151,7 @@ FURROW_LANES void law_lanes(TouchBlock& c, const ContactModel& model) {
 
 // From what is known at run time to a loop without questions.
 template <bool... Known, class... Asked>
-FURROW_LANES void choose_loop(TouchBlock& c, const ContactModel& model, bool first, Asked... asked) {
+FURROW_WIDE void choose_loop(TouchBlock& c, const ContactModel& model, bool first, Asked... asked) {
   if constexpr (sizeof...(asked) == 0) {
     first ? law_lanes<Known..., true>(c, model) : law_lanes<Known..., false>(c, model);
   } else {
@@ -150,38 +159,48 @@ FURROW_LANES void choose_loop(TouchBlock& c, const ContactModel& model, bool fir
   }
 }
 
-FURROW_LANES void evaluate(TouchBlock& c, const ContactModel& model, bool returning, bool details) {
+FURROW_WIDE void evaluate_lanes(TouchBlock& c, const ContactModel& model, bool returning, bool details) {
   choose_loop<>(c, model, c.kind == disc_disc, model.one_law, model.rolling, returning, details);
 }
 
-// The pairs of one disc as `a` follow each other: its sum stays in a register. To load it all the same, and drop it,
-// would mean to wait for the last store; so nothing is loaded from there.
-FURROW_LANES void add(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) {
+// The pairs of one disc as `a` follow each other: its sum stays in a register.
+FURROW_WIDE void add_loads_lanes(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) {
   const Four sign{-1, -1, 1, 1};
-  const DiscLoad none{};
   Four on_a{};
-  int before = -1;
+  int a = -1;
   for (int k = 0; k < c.count; ++k) {
-    const int a = c.a[k];
-    const int b = load_of_b[k];
+    if (c.a[k] != a) {
+      if (a >= 0) std::memcpy(&sum[a], &on_a, sizeof on_a);
+      a = c.a[k];
+      std::memcpy(&on_a, &sum[a], sizeof on_a);
+    }
     const Four load{c.fx[k], c.fy[k], c.torque_a[k], c.torque_b[k]};
-    Four sum_a, sum_b;
-    std::memcpy(&sum_a, a == before ? &none : &sum[a], sizeof sum_a);
-    std::memcpy(&sum_b, &sum[b], sizeof sum_b);
-    const auto same = -static_cast<long long>(a == before);
-    const decltype(sum_a == sum_b) mask{same, same, same, same};
-    on_a = (mask ? on_a : sum_a) + load;
+    on_a += load;
+    Four sum_b;
+    std::memcpy(&sum_b, &sum[load_of_b[k]], sizeof sum_b);
     sum_b += sign * __builtin_shufflevector(load, load, 0, 1, 3, 3);
-    std::memcpy(&sum[a], &on_a, sizeof on_a);
-    std::memcpy(&sum[b], &sum_b, sizeof sum_b);
-    before = a;
+    std::memcpy(&sum[load_of_b[k]], &sum_b, sizeof sum_b);
   }
+  if (a >= 0) std::memcpy(&sum[a], &on_a, sizeof on_a);
+}
+
+template <bool Turning>
+FURROW_WIDE void accelerate_loop(const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    rates.ax[i] = load[i].fx * rates.inverse_mass[i];
+    rates.ay[i] = load[i].fy * rates.inverse_mass[i] - rates.weight[i];
+    if constexpr (Turning) rates.turning[i] = load[i].torque * rates.inverse_inertia[i];
+  }
+}
+
+FURROW_WIDE void accelerate_lanes(const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last) {
+  rates.turning ? accelerate_loop<true>(load, rates, first, last) : accelerate_loop<false>(load, rates, first, last);
 }
 
 // The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St follows the overlap
 // (1/2 xi^2 dSt/dt, `stiffening`), which no force pays for: a property of Mindlin's law without rescaling.
 // First every lane, then the sums in the order of the contacts.
-FURROW_LANES void add_powers(const TouchBlock& c, bool friction, ContactPowers& sum) {
+FURROW_WIDE void add_powers_lanes(const TouchBlock& c, bool friction, ContactPowers& sum) {
   TouchBlock::Lanes<double> viscous, sticking, sliding, rolling, stiffening;
   for (int k = 0; k < whole_lanes(c.count); ++k) {
     const double stick = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
@@ -206,50 +225,23 @@ FURROW_LANES void add_powers(const TouchBlock& c, bool friction, ContactPowers& 
   sum = total;
 }
 
-// The loops above for one kind of processor.
-// NOLINTBEGIN(bugprone-macro-parentheses): a name and an attribute cannot stand in parentheses
-#define FURROW_KERNEL(width, target)                                                                                  \
-  target void pair_up_##width(TouchBlock& c, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second) { \
-    pair_up(c, first, second);                                                                                        \
-  }                                                                                                                   \
-  target void pair_up_scattered_##width(TouchBlock& c, const DiscMotion& disc) { pair_up_scattered(c, disc); }        \
-  target bool note_near_##width(const TouchBlock& c, std::uint32_t* near_at, const Nearness& n) {                     \
-    return note_near(c, near_at, n);                                                                                  \
-  }                                                                                                                   \
-  target void evaluate_##width(TouchBlock& c, const ContactModel& model, bool returning, bool details) {              \
-    evaluate(c, model, returning, details);                                                                           \
-  }                                                                                                                   \
-  target void add_powers_##width(const TouchBlock& c, bool friction, ContactPowers& sum) {                            \
-    add_powers(c, friction, sum);                                                                                     \
-  }                                                                                                                   \
-  target void add_##width(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) { add(c, load_of_b, sum); }       \
-  constexpr Kernel kernel_##width{#width,           pair_up_##width, pair_up_scattered_##width, note_near_##width,    \
-                                  evaluate_##width, add_##width,     add_powers_##width};
-// NOLINTEND(bugprone-macro-parentheses)
-
-FURROW_KERNEL(none, )
-#ifdef __x86_64__
-FURROW_KERNEL(avx2, [[gnu::target("avx2")]])
-FURROW_KERNEL(avx512, [[gnu::target("avx512f,avx512dq,avx512vl,avx512bw")]])
-#endif
-
-const Kernel& choose() {
-#ifdef __x86_64__
-  const char* named = std::getenv("FURROW_VECTORS");
-  const std::string_view wanted = named ? named : "avx512";
-  const bool avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
-  if (wanted == "avx512" && avx512) return kernel_avx512;
-  if (wanted != "none" && __builtin_cpu_supports("avx2")) return kernel_avx2;
-#endif
-  return kernel_none;
-}
-
 }  // namespace
 
-const Kernel& kernel() {
-  static const Kernel& chosen = choose();
-  return chosen;
+FURROW_WIDTHS(bool, note_near, (const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness),
+              (c, near_at, nearness))
+FURROW_WIDTHS(void, evaluate, (TouchBlock & c, const ContactModel& model, bool returning, bool details),
+              (c, model, returning, details))
+FURROW_WIDTHS(void, add_loads, (const TouchBlock& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))
+FURROW_WIDTHS(void, add_powers, (const TouchBlock& c, bool friction, ContactPowers& sum), (c, friction, sum))
+FURROW_WIDTHS(void, accelerate, (const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last),
+              (load, rates, first, last))
+
+void pair_up(TouchBlock& c, const DiscMotion& disc) {
+  if (disc.spin) {
+    disc.radius ? pair_up_loop<true, true>(c, disc) : pair_up_loop<true, false>(c, disc);
+  } else {
+    disc.radius ? pair_up_loop<false, true>(c, disc) : pair_up_loop<false, false>(c, disc);
+  }
 }
 
 }  // namespace furrow

@@ -1,7 +1,7 @@
-// The loops over contacts, one lane a contact, compiled once for each width of vector instructions. Every lane does the
-// same arithmetic in the same order, so the width changes no bit.
+// The loops over contacts and discs, one lane each, at the widest vectors of the processor.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "system/touches.h"
@@ -16,7 +16,7 @@ struct alignas(32) DiscLoad {
 struct DiscMotion {
   const double *x, *y, *vx, *vy;  // m, m/s
   const double* spin;             // rad/s; null: none
-  const double* radius;           // m
+  const double* radius;           // m; null: all alike, the block has it
 };
 
 // When a candidate should take a slot for a tangential spring or give it back.
@@ -38,31 +38,29 @@ struct ContactPowers {
   double viscous, friction, rolling, stiffening;
 };
 
-struct Kernel {
-  const char* name;
-
-  // Fills the pairs of the block from what each disc brings as the first and as the second of a pair. The fastest, as
-  // long as that stays in the cache.
-  void (*pair_up)(TouchBlock&, const TouchBlock::DiscPair* first, const TouchBlock::DiscPair* second);
-
-  // The same from the state itself.
-  void (*pair_up_scattered)(TouchBlock&, const DiscMotion&);
-
-  // Takes note of which pairs are near. True if one of them should take a slot or give it back.
-  bool (*note_near)(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
-
-  // Runs the contact law over the block: slip, forces and torques. `returning`: with the springs returned to the
-  // Coulomb limit; `details`: all that the block names.
-  void (*evaluate)(TouchBlock&, const ContactModel&, bool returning, bool details);
-
-  // Adds the loads of a block of disc pairs to those of the discs, in the order of the pairs.
-  void (*add)(const TouchBlock&, const int* load_of_b, DiscLoad*);
-
-  // Adds the powers of a block with details, contact by contact.
-  void (*add_powers)(const TouchBlock&, bool friction, ContactPowers&);
+// What the loads of the discs do to them; m/s^2, rad/s^2.
+struct DiscRates {
+  double *ax, *ay, *turning;  // turning null: they do not spin
+  const double *inverse_mass, *weight, *inverse_inertia;
 };
 
-// The widest that the processor knows, or what the environment variable FURROW_VECTORS names: none, avx2, avx512.
-const Kernel& kernel();
+// Fills the pairs of the block.
+void pair_up(TouchBlock&, const DiscMotion&);
+
+// Takes note of which pairs are near. True if one of them should take a slot or give it back.
+bool note_near(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
+
+// Runs the contact law over the block: slip, forces and torques. `returning`: with the springs returned to the
+// Coulomb limit; `details`: all that the block names.
+void evaluate(TouchBlock&, const ContactModel&, bool returning, bool details);
+
+// Adds the loads of a block of disc pairs to those of the discs, in the order of the pairs.
+void add_loads(const TouchBlock&, const int* load_of_b, DiscLoad*);
+
+// Adds the powers of a block with details, contact by contact.
+void add_powers(const TouchBlock&, bool friction, ContactPowers&);
+
+// The rates of the discs [first, last).
+void accelerate(const DiscLoad*, const DiscRates&, std::size_t first, std::size_t last);
 
 }  // namespace furrow

@@ -1,7 +1,5 @@
 // The flow: the rates of the state, summed up from contacts and links.
 #include <algorithm>
-#include <atomic>
-#include <cstring>
 
 #include "physics/link.h"
 #include "system/system.h"
@@ -9,20 +7,12 @@
 namespace furrow {
 
 void System::rhs(double t, const State& y, State& dydt) const {
-  if (t == known_time_ && y.size() == known_.size()) {
-    std::atomic<bool> differs = false;
-    in_ranges(threads_, y.size(), [&](std::size_t first, std::size_t last) {
-      if (std::memcmp(y.data() + first, known_.data() + first, (last - first) * sizeof y[0]) != 0) differs = true;
-    });
-    if (!differs) return copy_in_ranges(threads_, known_rates_.data(), dydt.size(), dydt.data());
-  }
   add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
 }
 
 void System::look_around(double t, const State& y) const {
   place_nodes(y);
   search_.update(parts_, placement(t, y), threads_);
-  if (search_.chunks.size() <= 1) pack_discs(y);
 }
 
 void System::begin_rates(const State& y, State& dydt) const {
@@ -39,7 +29,7 @@ void System::begin_rates(const State& y, State& dydt) const {
 
 void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt) const {
   if (c.kind == disc_disc) {
-    kernel_->add(c, search_.chunks.size() > 1 ? c.load_of_b.data() : c.b.data(), disc_load_.data());
+    add_loads(c, search_.chunks.size() > 1 ? c.load_of_b.data() : c.b, disc_load_.data());
   } else if (of_disc(c.kind)) {
     for (int k = 0; k < c.count; ++k) {
       DiscLoad& sum = disc_load_[c.a[k]];
@@ -65,8 +55,8 @@ void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt)
   }
   if (friction_) {
     double* rate = dydt.data() + springs_;
-    double nowhere = 0;
-    for (int k = 0; k < c.count; ++k) *(c.slot[k] < 0 ? &nowhere : rate + c.slot[k]) = c.slip[k];
+    const int spare = spare_of(chunk);
+    for (int k = 0; k < c.count; ++k) rate[c.slot[k] < 0 ? spare : c.slot[k]] = c.slip[k];
   }
   if (keeps_ledger_) add_to_ledger(c, chunk, t, dydt.data() + ledger_);
 }
@@ -90,6 +80,7 @@ void System::join_chunks() const {
 }
 
 void System::finish_rates(State& dydt) const {
+  empty_spares(dydt);
   double* ax = dydt.data() + 2 * bodies_;
   double* ay = dydt.data() + 3 * bodies_;
   if (keeps_ledger_) {
@@ -100,14 +91,14 @@ void System::finish_rates(State& dydt) const {
     work[stiffening] = chunk_powers_[0].stiffening;
   }
   add_link_forces(keeps_ledger_ ? dydt.data() + ledger_ : nullptr);
-  double* turning = friction_ ? dydt.data() + 4 * bodies_ : nullptr;
-  in_ranges(threads_, static_cast<std::size_t>(parts_.disc.count()), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      ax[i] = disc_load_[i].fx * inverse_mass_[i];
-      ay[i] = disc_load_[i].fy * inverse_mass_[i] - weight_[i];
-    }
-    for (std::size_t i = turning ? first : last; i < last; ++i) turning[i] = disc_load_[i].torque * inverse_inertia_[i];
-  });
+  const DiscRates rates{ax,
+                        ay,
+                        friction_ ? dydt.data() + 4 * bodies_ : nullptr,
+                        inverse_mass_.data(),
+                        weight_.data(),
+                        inverse_inertia_.data()};
+  in_ranges(threads_, static_cast<std::size_t>(parts_.disc.count()),
+            [&](std::size_t first, std::size_t last) { accelerate(disc_load_.data(), rates, first, last); });
   for (int n = 0; n < parts_.node.count(); ++n) {
     const int body = parts_.node.body[n];
     if (body < 0) continue;
@@ -135,7 +126,7 @@ void System::add_link_forces(double* work) const {
 }
 
 void System::add_to_ledger(const TouchBlock& c, int chunk, double t, double* work) const {
-  kernel_->add_powers(c, friction_, chunk_powers_[chunk]);
+  add_powers(c, friction_, chunk_powers_[chunk]);
   if (c.kind != disc_plate && c.kind != node_plate) return;
   for (int k = 0; k < c.count; ++k) {
     const PlateAt at = plate_at(c.b[k], t);

@@ -7,11 +7,30 @@
 #include <cstdint>
 #include <sstream>
 
+#include "methods/wide.h"
 #include "system/events.h"
 #include "system/stiffness.h"
 
 namespace furrow {
 namespace {
+
+// Whole numbers for the verdicts: they may be taken in any order, thus several at once. The exponent of what is not
+// finite is all ones: one more carries into the sign.
+FURROW_WIDE bool all_finite_lanes(const double* y, std::size_t n) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
+  std::uint64_t carried = 0;
+  for (std::size_t k = 0; k < n; ++k) carried |= (std::bit_cast<std::uint64_t>(y[k]) & exponent) + one;
+  return carried <= exponent;
+}
+FURROW_WIDTHS(bool, all_finite, (const double* y, std::size_t n), (y, n))
+
+FURROW_WIDE bool all_near_lanes(const double* one, const double* other, const double* limit, std::size_t n) {
+  std::int64_t far = 0;
+  for (std::size_t i = 0; i < n; ++i) far += std::fabs(one[i] - other[i]) > limit[i] ? 1 : 0;
+  return far == 0;
+}
+FURROW_WIDTHS(bool, all_near, (const double* one, const double* other, const double* limit, std::size_t n),
+              (one, other, limit, n))
 
 // A body that moves further than its size in a step passes contacts unseen: the step is too long, or the run has blown
 // up.
@@ -27,31 +46,23 @@ class Watch {
 
   // Empty if the step from `before` to `after` is sound; else `body` is the one that went too far, if any.
   std::string complaint(const State& before, const State& after, double h, int& body) const {
-    // Whole numbers for the verdicts: they may be taken in any order, thus several at once. The exponent of what is not
-    // finite is all ones: one more carries into the sign.
-    constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
     std::atomic<bool> unsound = false;
     in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
-      std::uint64_t carried = 0;
-      for (std::size_t k = first; k < last; ++k) carried |= (std::bit_cast<std::uint64_t>(after[k]) & exponent) + one;
-      if (carried > exponent) unsound = true;
+      if (!all_finite(&after[first], last - first)) unsound = true;
     });
-    const int bodies = static_cast<int>(size_.size());
-    in_ranges(system_.threads(), size_.size(), [&](std::size_t first, std::size_t last) {
-      std::int64_t far = 0;
-      for (std::size_t i = first; i < last; ++i) {
-        far += std::fabs(after[i] - before[i]) > size_[i] ? 1 : 0;
-        far += std::fabs(after[bodies + i] - before[bodies + i]) > size_[i] ? 1 : 0;
+    const std::size_t bodies = size_.size();
+    in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
+      for (const std::size_t axis : {std::size_t{0}, bodies}) {
+        if (!all_near(&before[axis + first], &after[axis + first], &size_[first], last - first)) unsound = true;
       }
-      if (far != 0) unsound = true;
     });
     if (!unsound) return {};
     std::ostringstream text;
-    for (int i = 0; i < bodies; ++i) {
+    for (std::size_t i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
       if (moved <= size_[i]) continue;
-      body = i;
-      text << system_.parts().body_name(i);
+      body = static_cast<int>(i);
+      text << system_.parts().body_name(body);
       if (std::isfinite(moved)) {
         text << " moved " << moved << " m in one step of " << h << " s, more than its size of " << size_[i] << " m";
       } else {
@@ -89,7 +100,10 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   RunEnd end{Ending::finished, {}, plan.start};
   const bool fixed = !method.info().controlled;
   const double tiny = 1e-9 * plan.step;
-  State before = y;
+  // The last good state: kept by the method, or copied.
+  State copied = y;
+  const State* before = &copied;
+  const bool copies = plan.locate != Locate::none || !method.start();
   int body = -1;
   const auto check = [&](const State& from, const State& to, double h) {
     if (const std::string complaint = watch.complaint(from, to, h, body); !complaint.empty())
@@ -97,11 +111,11 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   };
   EventSteps stepper(system, method, plan.locate, check);
   const auto accept = [&](const JumpReport& report) {
-    copy_in_ranges(system.threads(), y.data(), y.size(), before.data());
+    if (copies) copy_in_ranges(system.threads(), y.data(), y.size(), copied.data());
     if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
   };
   try {
-    JumpReport report = system.jump(plan.start, y);
+    JumpReport report = jump(system, method, plan.start, y);
     accept(report);
     while (end.ending == Ending::finished && end.time < plan.end - tiny) {
       // Fixed steps are counted, not summed: t = start + n h has no drift.
@@ -113,16 +127,18 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       if (plan.locate != Locate::none) {
         end.time = stepper.step(end.time, y, next, h, report);
       } else {
+        before = copies ? &copied : &y;
         const double taken = method.step(system, end.time, y, h);
+        if (!copies) before = method.start();
         const double reached = taken == h ? next : end.time + taken;
-        stepper.accept(before, reached, y, taken, report);
+        stepper.accept(*before, reached, y, taken, report);
         end.time = reached;
       }
       ++end.steps;
       accept(report);
     }
   } catch (const Divergence& failure) {
-    y = before;
+    if (before != &y) y = *before;
     end.ending = Ending::diverged;
     end.reason = failure.what() + driven_by(system, end.time, y, body, method.info().name);
   }

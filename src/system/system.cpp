@@ -36,10 +36,10 @@ System::System(const Scene& scene)
   const int spins = friction_ ? parts_.disc.count() : 0;
   spring_count_ = friction_ ? slots_needed(parts_) : 0;
   springs_ = 4 * bodies_ + spins;
-  ledger_ = springs_ + spring_count_;
+  const int chunks = 1 + parts_.disc.count() / NeighbourSearch::discs_a_chunk;
+  ledger_ = springs_ + spring_count_ + (spring_count_ > 0 ? chunks : 0);
   slots_.nearness.margin = search_.margin;
   for (int k = spring_count_; k-- > 0;) slots_.unused.push_back(k);
-  relaxed_.resize(static_cast<std::size_t>(spring_count_));
 
   for (int i = 0; i < parts_.disc.count(); ++i) {
     inverse_mass_.push_back(1 / parts_.disc.mass[i]);
@@ -65,18 +65,17 @@ System::System(const Scene& scene)
   const DiscArrays& disc = parts_.disc;
   alike_ = disc.count() > 1 && one_value(disc.radius) && one_value(disc.mass) && one_value(disc.material);
   if (disc.count() > NeighbourSearch::discs_a_chunk) threads_ = scene.search.threads;
-  const auto chunks = static_cast<std::size_t>(1 + disc.count() / NeighbourSearch::discs_a_chunk);
-  chunk_powers_.resize(chunks);
-  chunk_returned_.resize(chunks);
+  chunk_powers_.resize(static_cast<std::size_t>(chunks));
+  chunk_returned_.resize(static_cast<std::size_t>(chunks));
   disc_block_.resize(static_cast<std::size_t>(threads_));
   for (TouchBlock& c : disc_block_) {
     if (!alike_) continue;
     c.law.fill(parts_.law_of(disc.material[0], disc.material[0]));
+    c.radius_a.fill(disc.radius[0]);
+    c.radius_b.fill(disc.radius[0]);
     c.reduced_radius.fill(disc.radius[0] * disc.radius[0] / (disc.radius[0] + disc.radius[0]));
     c.reduced_mass.fill(disc.mass[0] * disc.mass[0] / (disc.mass[0] + disc.mass[0]));
   }
-  first_of_pair_.resize(parts_.disc.radius.size());
-  second_of_pair_.resize(parts_.disc.radius.size());
 
   disc_start_ = scene.disc;
 }

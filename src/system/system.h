@@ -5,6 +5,7 @@
 //   x, y, vx, vy  one number for each disc, then for each free node          m, m/s
 //   spin          one for each disc, only if some contact has friction       rad/s
 //   springs       one for each slot, only if some contact has friction       m
+//                 then one for each chunk that stays 0: contacts without a slot read and write there
 //   ledger        energies handed over since t = 0, only if asked for        J
 #pragma once
 
@@ -34,6 +35,7 @@ struct Tear {
 struct JumpReport {
   std::vector<Tear> torn;
   bool springs_changed = false;
+  State* rates = nullptr;  // at the state that was left, if they are known: the system's own room, to be swapped out
   bool flow_jumped() const { return !torn.empty(); }
 };
 
@@ -43,7 +45,7 @@ class System : public OdeSystem {
 
   std::size_t size() const override { return static_cast<std::size_t>(ledger_ + (keeps_ledger_ ? ledger_entries : 0)); }
   std::size_t positions() const override { return 2 * static_cast<std::size_t>(bodies_); }
-  std::size_t controlled() const override { return static_cast<std::size_t>(ledger_); }
+  std::size_t controlled() const override { return static_cast<std::size_t>(springs_ + spring_count_); }
   int threads() const override { return threads_; }
   std::string velocity_dependence() const override;
   void rhs(double t, const State& y, State& dydt) const override;
@@ -52,10 +54,7 @@ class System : public OdeSystem {
   JumpReport jump(double t, State& y);
 
   // While a scene is prepared its plates stand still and its links do not tear.
-  void prepare(bool preparing) {
-    preparing_ = preparing;
-    known_.clear();
-  }
+  void prepare(bool preparing) { preparing_ = preparing; }
 
   const Parts& parts() const { return parts_; }
   const NeighbourSearch& search() const { return search_; }
@@ -99,8 +98,11 @@ class System : public OdeSystem {
     std::vector<int> unused;
     Nearness nearness;
     std::vector<char> changing;  // which blocks of a bed of many chunks hold a pair that takes or gives one back
+    double* spring = nullptr;    // of the state in a jump
+    bool relaxed = false;
 
     void see(Candidates& list, int candidate, bool near);
+    void relax(int slot);
   };
 
   // Forces alone, the ledger's terms too, or all that a block names of those that touch.
@@ -109,11 +111,12 @@ class System : public OdeSystem {
   ContactModel contact_model() const {
     return {parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
   }
+  int spare_of(int chunk) const { return spring_count_ + chunk; }
+  void empty_spares(State& of) const { std::fill(of.begin() + springs_ + spring_count_, of.begin() + ledger_, 0.0); }
   void place_nodes(const State& y) const;
   Placement placement(double t, const State& y) const;
   void look_around(double t, const State& y) const;
-  void pack_discs(const State& y) const;
-  void pair_up(TouchBlock& c, const State& y) const;
+  DiscMotion motion(const State& y) const;
   template <class Sink>
   void for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const;
   template <class Sink>
@@ -123,8 +126,10 @@ class System : public OdeSystem {
   void fetch_ahead(const State& y, int first, int last) const;
   void see_pairs(const State& y, Slots& slots) const;
   void fill_discs(TouchBlock& c, const State& y, int first, int last, Slots* slots) const;
+  template <ContactKind kind>
+  void fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
-  void take_springs(TouchBlock& c, const State& y) const;
+  void take_springs(TouchBlock& c, const State& y, int chunk) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
   void add_contacts(const TouchBlock& block, int chunk, double t, State& dydt) const;
@@ -136,7 +141,6 @@ class System : public OdeSystem {
   double lattice_contact_energy(double t, const State& y) const;
   void tear_links(double t, State& y, JumpReport& report);
 
-  const Kernel* kernel_ = &kernel();
   Parts parts_;
   double gravity_ = 0;
   double lever_ = 1;  // 1: arm to the contact point, 0: whole radius
@@ -151,20 +155,17 @@ class System : public OdeSystem {
   std::vector<char> torn_;
   std::vector<int> intact_;  // links, ascending
   Slots slots_;
-  std::vector<double> relaxed_;         // room for the springs of a jump
-  std::vector<double> chunk_returned_;  // J, and for what it frees, chunk by chunk
+  State rates_;                         // room for those that a jump leaves
+  std::vector<double> chunk_returned_;  // J, freed by a jump, chunk by chunk
 
   // Caches: they hold nothing that a result depends on.
   mutable NeighbourSearch search_;
   mutable Nodes nodes_;
   mutable std::vector<double> node_fx_, node_fy_;
-  mutable std::vector<TouchBlock::DiscPair> first_of_pair_, second_of_pair_;
   mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each spill
   mutable std::vector<ContactPowers> chunk_powers_;  // of the pairs of each chunk; the first takes all in the end
   mutable std::vector<TouchBlock> disc_block_;       // one for each thread
   mutable TouchBlock flat_block_;
-  double known_time_ = 0;
-  State known_, known_rates_;  // the flow at the state that the last jump left; empty: not known
 };
 
 // Calls sink(block, chunk), for different chunks at once unless an onlooker asks.
@@ -183,8 +184,8 @@ void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink
       fill_discs(c, y, first, last, slots);
       if (asker == Asker::onlooker) c.keep_touching();
       if (c.count == 0) continue;
-      take_springs(c, y);
-      kernel_->evaluate(c, model, slots != nullptr, asker != Asker::rates);
+      take_springs(c, y, number);
+      evaluate(c, model, slots != nullptr, asker != Asker::rates);
       if (chunks > 1) {
         for (int k = 0; k < c.count; ++k) c.load_of_b[k] = c.b[k] < chunk.last_disc ? c.b[k] : spill++;
       }
@@ -201,8 +202,8 @@ void System::for_each_flat_block(double t, const State& y, Slots* slots, Asker a
     for (int first = 0; first < count; first += TouchBlock::capacity) {
       fill_flat(static_cast<ContactKind>(kind), first, std::min(count, first + TouchBlock::capacity), t, y, slots);
       if (flat_block_.count == 0) continue;
-      take_springs(flat_block_, y);
-      kernel_->evaluate(flat_block_, model, slots != nullptr, asker != Asker::rates);
+      take_springs(flat_block_, y, 0);
+      evaluate(flat_block_, model, slots != nullptr, asker != Asker::rates);
       sink(static_cast<const TouchBlock&>(flat_block_));
     }
   }

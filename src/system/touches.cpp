@@ -9,18 +9,17 @@ namespace furrow {
 void TouchBlock::keep_touching() {
   int n = 0;
   for (int k = 0; k < count; ++k) {
-    const DiscPair p = pair[k];
-    const double within = p.radius_a + p.radius_b;
-    pair[n] = p;
-    a[n] = a[k];
-    b[n] = b[k];
+    const double within = radius_a[k] + radius_b[k];
+    own_a[n] = a[k];
+    own_b[n] = b[k];
+    own_slot[n] = slot[k];
     law[n] = law[k];
-    slot[n] = slot[k];
-    reduced_radius[n] = reduced_radius[k];
-    reduced_mass[n] = reduced_mass[k];
-    n += p.dx * p.dx + p.dy * p.dy < within * within ? 1 : 0;
+    for (auto* field : {&dx, &dy, &vx, &vy, &spin_a, &spin_b, &radius_a, &radius_b, &reduced_radius, &reduced_mass})
+      (*field)[n] = (*field)[k];
+    n += dx[n] * dx[n] + dy[n] * dy[n] < within * within ? 1 : 0;
   }
   count = n;
+  look_at_own();
 }
 
 // A near contact gets a slot, one that has long been apart gives it back.
@@ -41,20 +40,21 @@ void System::Slots::see(Candidates& list, int candidate, bool near) {
   unused.pop_back();
 }
 
-void System::pack_discs(const State& y) const {
-  for (int i = 0; i < parts_.disc.count(); ++i) {
-    const double spin = friction_ ? y[spin_of(i)] : 0;
-    const double radius = parts_.disc.radius[i];
-    first_of_pair_[i] = {-y[x_of(i)], -y[y_of(i)], y[vx_of(i)], y[vy_of(i)], spin, radius, 0, 0};
-    second_of_pair_[i] = {-y[x_of(i)], -y[y_of(i)], y[vx_of(i)], y[vy_of(i)], 0, 0, -spin, -radius};
-  }
+// A contact that is open holds nothing.
+void System::Slots::relax(int slot) {
+  if (slot < 0) return;
+  relaxed = relaxed || spring[slot] != 0;
+  spring[slot] = 0;
 }
 
-void System::pair_up(TouchBlock& c, const State& y) const {
-  if (search_.chunks.size() <= 1) return kernel_->pair_up(c, first_of_pair_.data(), second_of_pair_.data());
+DiscMotion System::motion(const State& y) const {
   const double* at = y.data();
-  kernel_->pair_up_scattered(c, {at, at + bodies_, at + 2 * bodies_, at + 3 * bodies_,
-                                 friction_ ? at + 4 * bodies_ : nullptr, parts_.disc.radius.data()});
+  return {at,
+          at + bodies_,
+          at + 2 * bodies_,
+          at + 3 * bodies_,
+          friction_ ? at + 4 * bodies_ : nullptr,
+          alike_ ? nullptr : parts_.disc.radius.data()};
 }
 
 // Calls for the discs that the pairs after the next blocks need: the second ones of them lie about in memory.
@@ -79,7 +79,7 @@ void System::see_pairs(const State& y, Slots& slots) const {
   in_parallel(threads_, blocks, [&](int block, int thread) {
     TouchBlock& c = disc_block_[thread];
     fill_discs(c, y, block * capacity, end_of(block), nullptr);
-    slots.changing[block] = kernel_->note_near(c, &list.near_at[block * capacity], slots.nearness) ? 1 : 0;
+    slots.changing[block] = note_near(c, &list.near_at[block * capacity], slots.nearness) ? 1 : 0;
   });
   for (int block = 0; block < blocks; ++block) {
     if (slots.changing[block] == 0) continue;
@@ -93,27 +93,25 @@ void System::fill_discs(TouchBlock& c, const State& y, int first, int last, Slot
   Candidates& list = search_.candidates[disc_disc];
   c.count = last - first;
   const auto take = [&](const auto& from, auto& to) { std::copy(&from[first], &from[first] + c.count, &to[0]); };
-  take(list.a, c.a);
-  take(list.b, c.b);
-  take(list.slot, c.slot);
+  c.a = &list.a[first];
+  c.b = &list.b[first];
+  c.slot = &list.slot[first];
   if (!alike_) {
     take(list.law, c.law);
     take(list.reduced_radius, c.reduced_radius);
     take(list.reduced_mass, c.reduced_mass);
   }
-  pair_up(c, y);
-  if (slots && search_.chunks.size() <= 1 && kernel_->note_near(c, &list.near_at[first], slots->nearness)) {
+  pair_up(c, motion(y));
+  if (slots && search_.chunks.size() <= 1 && note_near(c, &list.near_at[first], slots->nearness)) {
     for (int k = first; k < last; ++k) slots->see(list, k, false);
-    take(list.slot, c.slot);
   }
 }
 
-void System::take_springs(TouchBlock& c, const State& y) const {
+void System::take_springs(TouchBlock& c, const State& y, int chunk) const {
+  if (!friction_) return;
   const double* spring = y.data() + springs_;
-  for (int k = 0; k < c.count; ++k) {
-    const int slot = c.slot[k];
-    c.spring[k] = slot < 0 ? 0 : spring[slot];
-  }
+  const int spare = spare_of(chunk);
+  for (int k = 0; k < c.count; ++k) c.spring[k] = spring[c.slot[k] < 0 ? spare : c.slot[k]];
 }
 
 // Of the candidate's segments the nearest point; of two equally near the first.
@@ -135,10 +133,12 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
 }
 
 // Contacts of a disc or node with something that does not spin: wall, plate, lattice.
-void System::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
+template <ContactKind kind>
+void System::fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const {
   Candidates& list = search_.candidates[kind];
   TouchBlock& c = flat_block_;
   c.kind = kind;
+  c.look_at_own();
   const Placement now = placement(t, y);
   const bool disc = of_disc(kind);
   const double lever = disc ? lever_ : 0;  // a node has no arm
@@ -172,11 +172,14 @@ void System::fill_flat(ContactKind kind, int first, int last, double t, const St
       }
     }
     if (slots) slots->see(list, k, gap.gap < search_.margin);
-    if (!(gap.gap < 0)) continue;
-    c.a[n] = a;
-    c.b[n] = b;
+    if (!(gap.gap < 0)) {
+      if (slots) slots->relax(list.slot[k]);
+      continue;
+    }
+    c.own_a[n] = a;
+    c.own_b[n] = b;
+    c.own_slot[n] = list.slot[k];
     c.law[n] = list.law[k];
-    c.slot[n] = list.slot[k];
     c.touching[n] = 1;
     c.reduced_radius[n] = list.reduced_radius[k];
     if (kind != disc_lattice) c.reduced_mass[n] = list.reduced_mass[k];
@@ -194,6 +197,17 @@ void System::fill_flat(ContactKind kind, int first, int last, double t, const St
     ++n;
   }
   c.count = n;
+}
+
+void System::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
+  switch (kind) {
+    case disc_wall: return fill_flat_of<disc_wall>(first, last, t, y, slots);
+    case disc_plate: return fill_flat_of<disc_plate>(first, last, t, y, slots);
+    case disc_lattice: return fill_flat_of<disc_lattice>(first, last, t, y, slots);
+    case node_wall: return fill_flat_of<node_wall>(first, last, t, y, slots);
+    case node_plate: return fill_flat_of<node_plate>(first, last, t, y, slots);
+    case disc_disc: break;
+  }
 }
 
 }  // namespace furrow

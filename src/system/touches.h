@@ -15,21 +15,15 @@ struct TouchBlock {
   template <class T>
   using Lanes = std::array<T, capacity>;
 
-  // Of two discs: differences b - a of position (m), a - b of velocity (m/s); spin (rad/s) and radius (m) of each.
-  // It is itself the difference of what the two bring: -x, -y, vx, vy, spin, radius, 0, 0 the first of a pair and
-  // -x, -y, vx, vy, 0, 0, -spin, -radius the second. One line of the cache each.
-  struct alignas(64) DiscPair {
-    double dx, dy, vx, vy, spin_a, radius_a, spin_b, radius_b;
-  };
-
   ContactKind kind = disc_disc;
   int count = 0;
-  Lanes<int> a{}, b{}, law{};
+  const int *a = nullptr, *b = nullptr, *slot = nullptr;  // slot of the tangential spring; -1: none. In `own` or a list
+  Lanes<int> own_a{}, own_b{}, own_slot{};
+  Lanes<int> law{};
   Lanes<int> load_of_b{};                            // disc-disc: where the load of b is summed: b, or a spill
-  Lanes<int> slot{};                                 // of the tangential spring; -1: none
   Lanes<int> segment{};                              // disc-lattice: index into Parts::border
   alignas(64) Lanes<double> touching{};              // 1, or 0 and then all forces are 0
-  alignas(64) Lanes<DiscPair> pair{};                // disc-disc: what the geometry below is made from
+  alignas(64) Lanes<double> dx{}, dy{};              // m, disc-disc: from a to b
   alignas(64) Lanes<double> share{};                 // disc-lattice: 0 at node a of the segment, 1 at node b
   alignas(64) Lanes<double> nx{}, ny{};              // unit vector from a to b
   alignas(64) Lanes<double> overlap{};               // m
@@ -44,6 +38,8 @@ struct TouchBlock {
   alignas(64) Lanes<double> elastic{}, normal{}, tangential{}, moment{};
   alignas(64) Lanes<double> stiffness{}, shear_stiffness{}, shear_viscosity{};
   alignas(64) Lanes<double> fx{}, fy{}, torque_a{}, torque_b{};
+
+  void look_at_own() { a = own_a.data(), b = own_b.data(), slot = own_slot.data(); }
 
   // Leaves only the pairs of discs that touch.
   void keep_touching();

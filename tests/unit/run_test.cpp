@@ -188,6 +188,58 @@ class Listener final : public Method {
   int restarts = 0, changes = 0;
 };
 
+// A jump computes the rates where the next step starts, and a method that is told them must go the same way as one that
+// computes them itself. Discs that slide and roll over a lattice that tears.
+TEST(Run, RatesHandedOverByAJumpAreThoseThatTheMethodWouldCompute) {
+  const Scene scene = busy_scene(20);
+  constexpr double h = 0x1p-16;  // s, so that all times are exact
+  constexpr int steps = 150;
+  int methods = 0;
+  for (const MethodInfo& info : method_catalogue()) {
+    System system(scene);
+    if (info.controlled || info.dense_jacobian || !refusal(info, system).empty()) continue;
+    ++methods;
+    const auto told = make_method(info.name), alone = make_method(info.name);
+    const Ran r = run_through(scene, *told, plan_of(steps * h, h));
+    State y = system.initial_state();
+    system.jump(0, y);
+    for (int n = 0; n < steps; ++n) {
+      alone->step(system, n * h, y, h);
+      const JumpReport report = system.jump((n + 1) * h, y);
+      if (report.flow_jumped()) {
+        alone->restart();
+      } else if (report.springs_changed) {
+        alone->state_changed();
+      }
+    }
+    EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+    EXPECT_EQ(r.y, y) << info.name;
+    EXPECT_EQ(told->evaluations(), alone->evaluations()) << info.name;
+  }
+  EXPECT_GT(methods, 15);
+}
+
+TEST(Method, TakesRatesThatItKnowsOnceAndOnlyForTheirTime) {
+  const Scene scene = single_spring(100, 0);
+  const System system(scene);
+  State y = system.initial_state();
+  const State start = y;
+  for (const auto& [at, taken] : {std::pair(0.0, true), {1.0, false}}) {
+    const auto method = make_method("symplectic_euler");
+    y = start;
+    State rates(y.size(), 1.0);  // not those of the spring
+    method->know(at, rates);
+    method->step(system, 0, y, 0.125);
+    EXPECT_EQ(y[2] == start[2] + 0.125, taken);
+    const State after = y;
+    method->step(system, 0, y, 0.125);  // the same time, another state
+    State expected(y.size());
+    system.rhs(0, after, expected);
+    EXPECT_EQ(y[2], after[2] + 0.125 * expected[2]);
+    EXPECT_EQ(method->evaluations(), 2);
+  }
+}
+
 TEST(Run, TearRestartsTheMethodOnce) {
   Scene scene = single_spring(4, 0, 2);
   Listener method;

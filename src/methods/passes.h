@@ -1,0 +1,15 @@
+// Passes of a method over its states, on threads and at the widest vectors.
+#pragma once
+
+#include "methods/ode.h"
+#include "methods/parallel.h"
+
+namespace furrow {
+
+// out = y + (a f - b g), the predictor of a two-step method; out may be y.
+void extrapolate(int threads, const State& y, double a, const State& f, double b, const State& g, State& out);
+
+// out = y + h (f + g); out may be y.
+void add_mean(int threads, const State& y, double h, const State& f, const State& g, State& out);
+
+}  // namespace furrow

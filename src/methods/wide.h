@@ -1,0 +1,43 @@
+// Loops compiled once for each width of vector instructions; a call takes the widest that the processor knows. Every
+// lane does the same arithmetic in the same order, so the width changes no bit.
+#pragma once
+
+namespace furrow {
+
+enum class VectorWidth { none, avx2, avx512 };
+
+// The widest that the processor knows, or what the environment variable FURROW_VECTORS names: none, avx2, avx512.
+VectorWidth widest_vectors();
+inline const VectorWidth vector_width = widest_vectors();
+const char* vector_width_name();
+
+}  // namespace furrow
+
+// Inlined into functions for different processors, which a call could not be.
+#define FURROW_WIDE [[gnu::always_inline]] inline
+
+// Defines result name(parameters), which runs name_lanes(arguments), a FURROW_WIDE function, at the width chosen.
+// NOLINTBEGIN(bugprone-macro-parentheses): names, parameters and attributes cannot stand in parentheses
+#ifdef __x86_64__
+#define FURROW_WIDTHS(result, name, parameters, arguments)                                        \
+  [[gnu::target("avx512f,avx512dq,avx512vl,avx512bw")]] static result name##_avx512 parameters {  \
+    return name##_lanes arguments;                                                                \
+  }                                                                                               \
+  [[gnu::target("avx2")]] static result name##_avx2 parameters { return name##_lanes arguments; } \
+  static result name##_none parameters { return name##_lanes arguments; }                         \
+  result name parameters {                                                                        \
+    switch (vector_width) {                                                                       \
+      case VectorWidth::avx512:                                                                   \
+        return name##_avx512 arguments;                                                           \
+      case VectorWidth::avx2:                                                                     \
+        return name##_avx2 arguments;                                                             \
+      case VectorWidth::none:                                                                     \
+        break;                                                                                    \
+    }                                                                                             \
+    return name##_none arguments;                                                                 \
+  }
+#else
+#define FURROW_WIDTHS(result, name, parameters, arguments) \
+  result name parameters { return name##_lanes arguments; }
+#endif
+// NOLINTEND(bugprone-macro-parentheses)
