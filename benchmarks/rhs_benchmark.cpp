@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "scene/read.h"
+#include "system/events.h"
 #include "system/prepare.h"
 #include "system/run.h"
 
@@ -65,7 +66,7 @@ void step(benchmark::State& state, const std::string& name) {
   for (auto _ : state) {
     method->step(p.system, static_cast<double>(n) * h, p.y, h);
     ++n;
-    p.system.jump(static_cast<double>(n) * h, p.y);
+    furrow::jump(p.system, *method, static_cast<double>(n) * h, p.y);
     if (n == 10'000) {  // the first second of the scene, over and over
       state.PauseTiming();
       p = prepared(name, false);

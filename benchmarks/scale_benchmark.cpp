@@ -19,6 +19,7 @@
 
 #include "methods/method.h"
 #include "scene/packing.h"
+#include "system/events.h"
 #include "system/prepare.h"
 #include "tracking/kernels.h"
 
@@ -137,7 +138,8 @@ void step(benchmark::State& state) {
   long steps = 0;
   const auto once = [&] {
     method->step(bed.system, static_cast<double>(steps) * bed.step, bed.y, bed.step);
-    bed.system.jump(static_cast<double>(++steps) * bed.step, bed.y);
+    ++steps;
+    furrow::jump(bed.system, *method, static_cast<double>(steps) * bed.step, bed.y);
   };
   for (int k = 0; k < 3; ++k) once();  // finds room for its history
   for (auto _ : state) once();
@@ -220,7 +222,7 @@ int main(int argc, char** argv) {
   add("evaluation_with_new_list", evaluation_with_new_list, sizes, false);
   add("step", step, sizes, false);
   add("packing", packing, sizes, true);
-  add("settling", settling, {2'300, 23'000}, true);
+  add("settling", settling, sizes, true);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
