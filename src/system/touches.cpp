@@ -201,12 +201,18 @@ void System::fill_flat_of(int first, int last, double t, const State& y, Slots* 
 
 void System::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
   switch (kind) {
-    case disc_wall: return fill_flat_of<disc_wall>(first, last, t, y, slots);
-    case disc_plate: return fill_flat_of<disc_plate>(first, last, t, y, slots);
-    case disc_lattice: return fill_flat_of<disc_lattice>(first, last, t, y, slots);
-    case node_wall: return fill_flat_of<node_wall>(first, last, t, y, slots);
-    case node_plate: return fill_flat_of<node_plate>(first, last, t, y, slots);
-    case disc_disc: break;
+    case disc_wall:
+      return fill_flat_of<disc_wall>(first, last, t, y, slots);
+    case disc_plate:
+      return fill_flat_of<disc_plate>(first, last, t, y, slots);
+    case disc_lattice:
+      return fill_flat_of<disc_lattice>(first, last, t, y, slots);
+    case node_wall:
+      return fill_flat_of<node_wall>(first, last, t, y, slots);
+    case node_plate:
+      return fill_flat_of<node_plate>(first, last, t, y, slots);
+    case disc_disc:
+      break;
   }
 }
 
