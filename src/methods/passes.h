@@ -6,6 +6,9 @@
 
 namespace furrow {
 
+// out = y + h f, n numbers each; out may be y.
+void advance(int threads, const double* y, double h, const double* f, double* out, std::size_t n);
+
 // out = y + (a f - b g), the predictor of a two-step method; out may be y.
 void extrapolate(int threads, const State& y, double a, const State& f, double b, const State& g, State& out);
 

@@ -6,6 +6,7 @@
 // h omega = 2 (sqrt(1 + zeta^2) - zeta); on the real axis, of z, to 2. Source: de Vogelaere 1956; Hairer, Lubich and
 // Wanner, Geometric Numerical Integration, I.1.2.
 #include "methods/method.h"
+#include "methods/passes.h"
 
 namespace furrow {
 namespace {
@@ -16,15 +17,20 @@ class SymplecticEuler final : public Method {
 
   double step(const OdeSystem& system, double t, State& y, double h) override {
     const std::size_t q = system.positions();
+    const int threads = system.threads();
     now_.resize(y.size());
+    next_.resize(y.size());
     evaluate_start(system, t, y, now_);
-    for (std::size_t i = q; i < y.size(); ++i) y[i] += h * now_[i];
-    for (std::size_t i = 0; i < q; ++i) y[i] += h * y[q + i];
+    advance(threads, y.data() + q, h, now_.data() + q, next_.data() + q, y.size() - q);
+    advance(threads, y.data(), h, next_.data() + q, next_.data(), q);
+    y.swap(next_);
     return h;
   }
 
+  const State* start() const override { return &next_; }
+
  private:
-  State now_;
+  State now_, next_;
 };
 
 }  // namespace

@@ -48,12 +48,13 @@ class Watch {
   std::string complaint(const State& before, const State& after, double h, int& body) const {
     std::atomic<bool> unsound = false;
     in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
-      if (!all_finite(&after[first], last - first)) unsound = true;
+      if (!all_finite(after.data() + first, last - first)) unsound = true;
     });
     const std::size_t bodies = size_.size();
     in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
       for (const std::size_t axis : {std::size_t{0}, bodies}) {
-        if (!all_near(&before[axis + first], &after[axis + first], &size_[first], last - first)) unsound = true;
+        if (!all_near(before.data() + axis + first, after.data() + axis + first, size_.data() + first, last - first))
+          unsound = true;
       }
     });
     if (!unsound) return {};

@@ -41,7 +41,7 @@ bool moved(const double* x, const double* y, const std::vector<double>& x0, cons
            int threads) {
   std::atomic<bool> any = false;
   in_ranges(threads, x0.size(), [&](std::size_t first, std::size_t last) {
-    if (!all_within(x + first, y + first, &x0[first], &y0[first], limit, last - first)) any = true;
+    if (!all_within(x + first, y + first, x0.data() + first, y0.data() + first, limit, last - first)) any = true;
   });
   return any;
 }
