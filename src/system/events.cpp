@@ -54,7 +54,7 @@ std::vector<int> overstretched(const System& system, const State& y) {
 }  // namespace
 
 JumpReport jump(System& system, Method& method, double t, State& y) {
-  const JumpReport report = system.jump(t, y);
+  JumpReport report = system.jump(t, y);
   if (report.flow_jumped()) {
     method.restart();
   } else if (report.springs_changed) {
