@@ -53,12 +53,14 @@ void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt)
       node_fy_[j] -= c.share[k] * c.fy[k];
     }
   }
-  if (friction_) {
-    double* rate = dydt.data() + springs_;
-    const int spare = spare_of(chunk);
-    for (int k = 0; k < c.count; ++k) rate[c.slot[k] < 0 ? spare : c.slot[k]] = c.slip[k];
-  }
+  if (friction_) put_slips(c, chunk, dydt);
   if (keeps_ledger_) add_to_ledger(c, chunk, t, dydt.data() + ledger_);
+}
+
+void System::put_slips(const TouchBlock& c, int chunk, State& dydt) const {
+  double* rate = dydt.data() + springs_;
+  const int spare = spare_of(chunk);
+  for (int k = 0; k < c.count; ++k) rate[c.slot[k] < 0 ? spare : c.slot[k]] = c.slip[k];
 }
 
 void System::join_chunks() const {

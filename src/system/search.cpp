@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <optional>
 
 #include "methods/ode.h"
 #include "methods/parallel.h"
@@ -47,55 +46,6 @@ bool moved(const double* x, const double* y, const std::vector<double>& x0, cons
 }
 
 }  // namespace
-
-// Discs sorted into square cells, by counting.
-class NeighbourSearch::Grid {
- public:
-  Grid(const double* x, const double* y, int count, double cell, GridRoom& room)
-      : x_(x), y_(y), first_(room.first), disc_(room.disc) {
-    const auto [left, right] = std::minmax_element(x, x + count);
-    const auto [lower, upper] = std::minmax_element(y, y + count);
-    left_ = *left;
-    lower_ = *lower;
-    const double width = *right - left_;
-    const double height = *upper - lower_;
-    // A disc that flew far off must not make the grid larger than the discs are many.
-    cell_ =
-        std::max(cell, std::max(std::sqrt(width * height / (4.0 * count)), std::max(width, height) / (4.0 * count)));
-    columns_ = static_cast<int>(width / cell_) + 1;
-    rows_ = static_cast<int>(height / cell_) + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (int i = 0; i < count; ++i) ++first_[cell_of(i) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    disc_.resize(static_cast<std::size_t>(count));
-    room.next.assign(first_.begin(), first_.end() - 1);
-    for (int i = 0; i < count; ++i) disc_[room.next[cell_of(i)]++] = i;
-  }
-
-  // Calls visit(j) for every disc j in the cells within `reach` of disc i, itself included.
-  template <class Visit>
-  void around(int i, double reach, Visit&& visit) const {
-    const int range = static_cast<int>(std::ceil(reach / cell_));
-    const int row = row_of(i);
-    const int column = column_of(i);
-    for (int r = std::max(0, row - range); r <= std::min(rows_ - 1, row + range); ++r) {
-      const int from = std::max(0, column - range);
-      const int to = std::min(columns_ - 1, column + range);
-      for (int k = first_[r * columns_ + from]; k < first_[r * columns_ + to + 1]; ++k) visit(disc_[k]);
-    }
-  }
-
- private:
-  int row_of(int i) const { return std::min(rows_ - 1, static_cast<int>((y_[i] - lower_) / cell_)); }
-  int column_of(int i) const { return std::min(columns_ - 1, static_cast<int>((x_[i] - left_) / cell_)); }
-  int cell_of(int i) const { return row_of(i) * columns_ + column_of(i); }
-
-  const double* x_;
-  const double* y_;
-  double left_, lower_, cell_;
-  int columns_, rows_;
-  std::vector<int>&first_, &disc_;
-};
 
 NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
     : margin(margin_of_radius * least_radius(parts)),
@@ -175,16 +125,16 @@ std::vector<int> NeighbourSearch::near_segments(const Parts& parts, const Placem
 }
 
 // The pairs that have a disc of [first, last) as the first.
-void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, const Grid* grid, int first, int last,
+void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, int first, int last,
                                  std::vector<Pair>& near) const {
   const double* radius = parts.disc.radius.data();
   for (int i = first; i < last; ++i) {
-    if (!grid) {
+    if (brute_force_) {
       for (int j = i + 1; j < parts.disc.count(); ++j) near.push_back({i, j});
       continue;
     }
     const auto start = static_cast<std::ptrdiff_t>(near.size());
-    grid->around(i, radius[i] + greatest_radius_ + margin + skin_, [&](int j) {
+    grid_.around(i, radius[i] + greatest_radius_ + margin + skin_, [&](int j) {
       if (j <= i) return;
       const double dx = now.disc_x[j] - now.disc_x[i];
       const double dy = now.disc_y[j] - now.disc_y[i];
@@ -202,18 +152,16 @@ void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKin
   const bool pairs = kind == disc_disc;
   const int pieces = pairs ? (discs + discs_a_chunk - 1) / discs_a_chunk : 1;
   pieces_.resize(static_cast<std::size_t>(std::max(pieces, static_cast<int>(pieces_.size()))));
-  std::optional<Grid> grid;
   if (pairs && discs > 0 && !brute_force_) {
     greatest_radius_ = *std::max_element(parts.disc.radius.begin(), parts.disc.radius.end());
     const double reach = 2 * greatest_radius_ + margin + skin_;
-    grid.emplace(now.disc_x, now.disc_y, discs, cell_size_ > 0 ? cell_size_ : reach, grid_room_);
+    grid_.sort(now.disc_x, now.disc_y, discs, cell_size_ > 0 ? cell_size_ : reach);
   }
   in_parallel(threads, pieces, [&](int k, int /*thread*/) {
     Piece& piece = pieces_[k];
     piece.near.clear();
     if (pairs) {
-      near_discs(parts, now, grid ? &*grid : nullptr, k * discs_a_chunk, std::min(discs, (k + 1) * discs_a_chunk),
-                 piece.near);
+      near_discs(parts, now, k * discs_a_chunk, std::min(discs, (k + 1) * discs_a_chunk), piece.near);
     } else {
       near_flat(parts, now, kind, piece.near);
     }

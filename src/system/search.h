@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "system/grid.h"
 #include "system/surface.h"
 
 namespace furrow {
@@ -78,10 +79,6 @@ class NeighbourSearch {
     std::vector<Member> member;
     int start = 0;
   };
-  struct GridRoom {
-    std::vector<int> first, next, disc;
-  };
-  class Grid;
 
   bool current(const Parts& parts, const Placement& now, int threads) const;
   void remember(const Parts& parts, const Placement& now);
@@ -89,8 +86,7 @@ class NeighbourSearch {
   void renew(const Parts& parts, const Placement& now, ContactKind kind, int threads);
   void near_flat(const Parts& parts, const Placement& now, ContactKind kind, std::vector<Pair>& near) const;
   std::vector<int> near_segments(const Parts& parts, const Placement& now, int disc, int lattice, double reach) const;
-  void near_discs(const Parts& parts, const Placement& now, const Grid* grid, int first, int last,
-                  std::vector<Pair>& near) const;
+  void near_discs(const Parts& parts, const Placement& now, int first, int last, std::vector<Pair>& near) const;
   static void keep_held(const Candidates& old, int first, int last, Piece& piece);
   void write_out(const Parts& parts, ContactKind kind, const Piece& piece);
   void find_segments(const Parts& parts, const Placement& now);
@@ -104,7 +100,7 @@ class NeighbourSearch {
   double made_at_ = 0;  // s
   std::vector<double> disc_x_, disc_y_, node_x_, node_y_;
   double greatest_radius_ = 0;  // m
-  GridRoom grid_room_;
+  Grid grid_;
   std::vector<Piece> pieces_;
 };
 

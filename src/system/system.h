@@ -97,8 +97,8 @@ class System : public OdeSystem {
   struct Slots {
     std::vector<int> unused;
     Nearness nearness;
-    std::vector<char> changing;  // which blocks of a bed of many chunks hold a pair that takes or gives one back
-    double* spring = nullptr;    // of the state in a jump
+    std::vector<std::vector<int>> changing;  // by chunk: first pairs of blocks where one takes or gives back a slot
+    double* spring = nullptr;                // of the state in a jump
     bool relaxed = false;
 
     void see(Candidates& list, int candidate, bool near);
@@ -124,8 +124,8 @@ class System : public OdeSystem {
   template <class Also>
   void add_up(double t, const State& y, Slots* slots, State& dydt, Also&& also) const;
   void fetch_ahead(const State& y, int first, int last) const;
-  void see_pairs(const State& y, Slots& slots) const;
-  void fill_discs(TouchBlock& c, const State& y, int first, int last, Slots* slots) const;
+  void hand_out_slots(const State& y, Slots& slots, State& dydt) const;
+  void fill_discs(TouchBlock& c, const State& y, int first, int last) const;
   template <ContactKind kind>
   void fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
@@ -133,6 +133,7 @@ class System : public OdeSystem {
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
   void add_contacts(const TouchBlock& block, int chunk, double t, State& dydt) const;
+  void put_slips(const TouchBlock& block, int chunk, State& dydt) const;
   void join_chunks() const;
   void finish_rates(State& dydt) const;
   void add_link_forces(double* work) const;
@@ -173,15 +174,18 @@ template <class Sink>
 void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const {
   const ContactModel model = contact_model();
   const int chunks = static_cast<int>(search_.chunks.size());
-  if (slots && chunks > 1) see_pairs(y, *slots);
+  if (slots) slots->changing.resize(search_.chunks.size());
   in_parallel(asker == Asker::onlooker ? 1 : threads_, chunks, [&](int number, int thread) {
     const Chunk& chunk = search_.chunks[number];
     TouchBlock& c = disc_block_[thread];
+    if (slots) slots->changing[number].clear();
     int spill = parts_.disc.count() + chunk.first_spill;
     for (int first = chunk.first_pair; first < chunk.last_pair; first += TouchBlock::capacity) {
       const int last = std::min(chunk.last_pair, first + TouchBlock::capacity);
       if (chunks > 1) fetch_ahead(y, first, last);
-      fill_discs(c, y, first, last, slots);
+      fill_discs(c, y, first, last);
+      if (slots && note_near(c, &search_.candidates[disc_disc].near_at[first], slots->nearness))
+        slots->changing[number].push_back(first);
       if (asker == Asker::onlooker) c.keep_touching();
       if (c.count == 0) continue;
       take_springs(c, y, number);
@@ -228,6 +232,7 @@ void System::add_up(double t, const State& y, Slots* slots, State& dydt, Also&& 
   begin_rates(y, dydt);
   for_each_disc_block(y, slots, asker, add);
   join_chunks();
+  if (slots) hand_out_slots(y, *slots, dydt);
   for_each_flat_block(t, y, slots, asker, [&](const TouchBlock& c) { add(c, 0); });
   finish_rates(dydt);
 }

@@ -38,6 +38,7 @@ void System::Slots::see(Candidates& list, int candidate, bool near) {
         "tangential spring is left; stiffer discs or a slower plate would help");
   slot = unused.back();
   unused.pop_back();
+  spring[slot] = 0;
 }
 
 // A contact that is open holds nothing.
@@ -69,28 +70,26 @@ void System::fetch_ahead(const State& y, int first, int last) const {
   }
 }
 
-// Many chunks: what takes or gives back slots does so first, in the order of the pairs.
-void System::see_pairs(const State& y, Slots& slots) const {
+// What takes or gives back slots does so in the order of the pairs, after all of them were seen. A pair that is new
+// has come near by distance alone and holds no spring yet, so only the rate of its spring is missing.
+void System::hand_out_slots(const State& y, Slots& slots, State& dydt) const {
   Candidates& list = search_.candidates[disc_disc];
-  constexpr int capacity = TouchBlock::capacity;
-  const auto end_of = [&](int block) { return std::min(list.count(), (block + 1) * capacity); };
-  slots.changing.resize(static_cast<std::size_t>((list.count() + capacity - 1) / capacity));
-  const int blocks = static_cast<int>(slots.changing.size());
-  in_parallel(threads_, blocks, [&](int block, int thread) {
-    TouchBlock& c = disc_block_[thread];
-    fill_discs(c, y, block * capacity, end_of(block), nullptr);
-    slots.changing[block] = note_near(c, &list.near_at[block * capacity], slots.nearness) ? 1 : 0;
-  });
-  for (int block = 0; block < blocks; ++block) {
-    if (slots.changing[block] == 0) continue;
-    for (int k = block * capacity; k < end_of(block); ++k) slots.see(list, k, false);
+  TouchBlock& c = disc_block_[0];
+  for (std::size_t chunk = 0; chunk < search_.chunks.size(); ++chunk) {
+    for (const int first : slots.changing[chunk]) {
+      const int last = std::min(search_.chunks[chunk].last_pair, first + TouchBlock::capacity);
+      for (int k = first; k < last; ++k) slots.see(list, k, false);
+      fill_discs(c, y, first, last);
+      evaluate(c, contact_model(), false, false);
+      put_slips(c, static_cast<int>(chunk), dydt);
+    }
   }
 }
 
 // The block of the candidates [first, last). Discs that do not touch stay in it: with a list so close, leaving them out
 // costs more.
-void System::fill_discs(TouchBlock& c, const State& y, int first, int last, Slots* slots) const {
-  Candidates& list = search_.candidates[disc_disc];
+void System::fill_discs(TouchBlock& c, const State& y, int first, int last) const {
+  const Candidates& list = search_.candidates[disc_disc];
   c.count = last - first;
   const auto take = [&](const auto& from, auto& to) { std::copy(&from[first], &from[first] + c.count, &to[0]); };
   c.a = &list.a[first];
@@ -102,9 +101,6 @@ void System::fill_discs(TouchBlock& c, const State& y, int first, int last, Slot
     take(list.reduced_mass, c.reduced_mass);
   }
   pair_up(c, motion(y));
-  if (slots && search_.chunks.size() <= 1 && note_near(c, &list.near_at[first], slots->nearness)) {
-    for (int k = first; k < last; ++k) slots->see(list, k, false);
-  }
 }
 
 void System::take_springs(TouchBlock& c, const State& y, int chunk) const {
