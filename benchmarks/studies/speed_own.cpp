@@ -124,7 +124,7 @@ void add_scale(Report& report) {
     if (made.empty()) continue;
     const auto settling = [&](const char* key, double scale) {
       const Json value = value_of(made, "settling", key, scale);
-      return value.is_null() ? Json("not tried") : value;
+      return value.is_null() ? Json("not measured") : value;
     };
     makings.push_back({value_of(made, "packing", "discs", 1), value_of(made, "packing", "cpu_time", 1e-3),
                        settling("cpu_time", 1e-3), settling("model_seconds", 1), settling("steps", 1)});
