@@ -134,6 +134,9 @@ TEST(StickingImpact, TwoUnequalDiscsReturnWithTheSameRestitution) {
   expect("second disc, vy [m/s]", ran.y[at.vy_of(1)], lost / mass2, turning);
   expect("first disc, spin R [m/s]", ran.y[at.spin_of(0)] * radius, spin * radius - 2 * lost / disc.mass, turning);
   expect("second disc, spin R [m/s]", ran.y[at.spin_of(1)] * other, -other - 2 * lost / mass2, turning);
+  double held = 0;  // m
+  for (int k = 0; k < at.spring_count(); ++k) held = std::max(held, std::fabs(ran.y[at.first_spring() + k]));
+  expect_true("once parted, no spring is stretched", held == 0, "the jump after the parting lets go of all of it");
 }
 
 TEST(StickingImpact, TouchInsideAStepCostsTheFirstOrder) {
