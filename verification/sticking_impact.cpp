@@ -8,6 +8,7 @@
 // free.
 //
 // Source: solved here; a special case of Maw, Barber and Fawcett 1976 (Wear 38, 101) with all of the contact sticking.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
