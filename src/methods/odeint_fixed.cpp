@@ -29,8 +29,8 @@ class Fixed final : public Method {
     size_ = y.size();
     h_ = h;
     const auto f = [&](const State& state, State& dydt, double time) {
-      // y itself is changed last, so that at t it is still the start.
-      &state == &y&& time == t ? evaluate_start(system, t, y, dydt) : evaluate(system, time, state, dydt);
+      const bool start = time == t && std::addressof(state) == std::addressof(y);  // y itself is changed last
+      start ? evaluate_start(system, t, y, dydt) : evaluate(system, time, state, dydt);
     };
     stepper_.do_step(f, y, t, h);
     return h;

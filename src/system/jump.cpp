@@ -6,6 +6,7 @@
 #include "system/system.h"
 
 namespace furrow {
+
 JumpReport System::jump(double t, State& y) {
   JumpReport report;
   if (friction_) return_springs(t, y, report);

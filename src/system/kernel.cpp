@@ -57,8 +57,7 @@ FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, co
   std::uint32_t changes = 0;
   for (int k = 0; k < c.count; ++k) {
     near_at[k] = near[k] != 0 ? now : near_at[k];
-    const std::uint32_t unheld = c.slot[k] < 0 ? 1 : 0, quiet = now - near_at[k] > quiet_jumps ? 1 : 0;
-    changes |= (unheld & near[k]) | ((unheld ^ 1) & quiet);
+    changes |= slot_changes(c.slot[k], near_at[k], now);
   }
   return changes != 0;
 }

@@ -18,8 +18,11 @@ namespace furrow {
 inline constexpr std::uint32_t quiet_jumps = 8;
 
 // Whether a candidate should take a slot or give it back.
-inline bool slot_changes(int slot, std::uint32_t near_at, std::uint32_t now) {
-  return slot < 0 ? near_at == now : now - near_at > quiet_jumps;
+// Without a branch, for loops over all pairs: 1 or 0.
+inline std::uint32_t slot_changes(int slot, std::uint32_t near_at, std::uint32_t now) {
+  const std::uint32_t unheld = slot < 0 ? 1 : 0, near = near_at == now ? 1 : 0;
+  const std::uint32_t quiet = now - near_at > quiet_jumps ? 1 : 0;
+  return (unheld & near) | ((unheld ^ 1) & quiet);
 }
 
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.

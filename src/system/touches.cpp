@@ -26,7 +26,7 @@ void TouchBlock::keep_touching() {
 void System::Slots::see(Candidates& list, int candidate, bool near) {
   int& slot = list.slot[candidate];
   if (near) list.near_at[candidate] = nearness.now;
-  if (!slot_changes(slot, list.near_at[candidate], nearness.now)) return;
+  if (slot_changes(slot, list.near_at[candidate], nearness.now) == 0) return;
   if (slot >= 0) {
     unused.push_back(slot);
     slot = -1;
