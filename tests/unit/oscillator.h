@@ -44,6 +44,14 @@ struct Decay final : OdeSystem {
   }
 };
 
+inline Tolerances tolerances_of(double relative, double first_step = 1e-4) {
+  Tolerances t;
+  t.relative = relative;
+  t.absolute = relative;
+  t.first_step = first_step;
+  return t;
+}
+
 inline void advance(Method& method, const OdeSystem& system, State& y, double t, double h, int steps) {
   for (int k = 0; k < steps; ++k) method.step(system, t + k * h, y, h);
 }
