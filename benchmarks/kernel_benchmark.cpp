@@ -1,6 +1,6 @@
-// What a contact costs in the first-level cache: the kernel's own loops beside the least that the law could take, two
-// square roots, one division and some sixty other operations on whole vectors. FURROW_VECTORS sets the width of both.
-// Each benchmark checks its answer: a time for a wrong result is worth nothing.
+// What a contact costs in the first-level cache: the law from overlap to forces, and all of an evaluation, beside the
+// least that the law could take, two square roots, one division and some sixty other operations on whole vectors.
+// FURROW_VECTORS sets the width of all. Each benchmark checks its answer: a time for a wrong result is worth nothing.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -26,10 +26,12 @@ void count_contacts(benchmark::State& state) {
 struct Patch {
   static constexpr int a_row = 8, discs = contacts / 3 + 2 * a_row;
   std::vector<double> x, y, vx, vy, spin;
+  std::vector<furrow::DiscRow> rows = std::vector<furrow::DiscRow>(discs);
   std::vector<furrow::DiscLoad> load = std::vector<furrow::DiscLoad>(discs);
+  std::vector<double> spring = std::vector<double>(contacts + 1), rate = spring;  // the last one is the spare
   std::unique_ptr<TouchBlock> block = std::make_unique<TouchBlock>();
   furrow::ContactLaw law = furrow::contact_law({2e5, -0.5}, {2e5, -0.5}, 20, 0.5, 0.5, false);
-  furrow::ContactModel model{&law, true, true, 1, 1e-2};
+  furrow::ContactModel model{&law, true, true, 1e-2};
 
   Patch() {
     constexpr double apart = 1.96 * radius;
@@ -46,6 +48,7 @@ struct Patch {
       for (const int step : {1, a_row - 1, a_row}) {
         const bool leaves_row = (step == 1 && i % a_row == a_row - 1) || (step == a_row - 1 && i % a_row == 0);
         if (leaves_row || c.count == contacts) continue;
+        c.own_slot[c.count] = (37 * c.count) % contacts;  // slots lie about
         c.own_a[c.count] = i;
         c.own_b[c.count++] = i + step;
       }
@@ -55,10 +58,14 @@ struct Patch {
     c.radius_b.fill(radius);
     c.reduced_radius.fill(radius / 2);
     c.reduced_mass.fill(0.15);
-    for (int k = 0; k < contacts; ++k) c.spring[k] = 1e-5 * (k % 11);
+    for (int k = 0; k < contacts; ++k) spring[k] = 1e-5 * (k % 11);
   }
 
-  void pair_up() { furrow::pair_up(*block, {x.data(), y.data(), vx.data(), vy.data(), spin.data(), nullptr}); }
+  void gather() {
+    furrow::line_up(x.data(), y.data(), vx.data(), vy.data(), rows.data(), 0, rows.size());
+    furrow::pair_up(*block, {rows.data(), spin.data(), nullptr, 1});
+    furrow::take_springs(*block, spring.data(), contacts);
+  }
 
   // The law as physics/contact.h states it, contact by contact.
   bool right() const {
@@ -72,7 +79,7 @@ struct Patch {
       const furrow::Touch touch{overlap,
                                 relative_x * nx + relative_y * ny,
                                 relative_y * nx - relative_x * ny + (spin[a] * arm + spin[b] * arm),
-                                block->spring[k],
+                                spring[block->slot[k]],
                                 spin[a] - spin[b],
                                 radius / 2,
                                 0.15};
@@ -81,6 +88,7 @@ struct Patch {
       if (-f.normal * nx - f.tangential * ny != block->fx[k]) return false;
       if (-f.normal * ny + f.tangential * nx != block->fy[k]) return false;
       if (arm * f.tangential - f.moment != block->torque_b[k]) return false;
+      if (touch.slip != block->slip[k]) return false;
     }
     return pushing > contacts / 2;
   }
@@ -88,7 +96,7 @@ struct Patch {
 
 void law(benchmark::State& state) {
   Patch bed;
-  bed.pair_up();
+  bed.gather();
   for (auto _ : state) {
     furrow::evaluate(*bed.block, bed.model, false, false);
     benchmark::ClobberMemory();
@@ -101,15 +109,19 @@ void whole(benchmark::State& state) {
   Patch bed;
   for (auto _ : state) {
     std::fill(bed.load.begin(), bed.load.end(), furrow::DiscLoad{});
-    bed.pair_up();
+    bed.gather();
     furrow::evaluate(*bed.block, bed.model, false, false);
     furrow::add_loads(*bed.block, bed.block->b, bed.load.data());
+    furrow::put_by_place(*bed.block, bed.block->slip, bed.rate.data());
     benchmark::ClobberMemory();
   }
   double sum = 0, size = 0;
   for (const furrow::DiscLoad& load : bed.load) {
     sum += load.fx;
     size += std::fabs(load.fx);
+  }
+  for (int k = 0; k < contacts; ++k) {
+    if (bed.rate[bed.block->slot[k]] != bed.block->slip[k]) state.SkipWithError("a spring has another's rate");
   }
   // Each force stands twice, with either sign; of some 400 roundings each is below 1.1e-16 of the size.
   if (!bed.right() || !(std::fabs(sum) <= 1e-13 * size)) state.SkipWithError("actions and reactions do not cancel");

@@ -82,10 +82,8 @@ struct TouchForce {
   double shear_viscosity;  // N s/m, factor of vt in Ft
 };
 
-template <bool Rolling>
-[[gnu::always_inline]] inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c,
-                                                       double rolling_smoothing) {
-  TouchForce f{};
+// The first half of the law: what does not depend on slip, spring and spin.
+[[gnu::always_inline]] inline void press(const ContactLaw& law, const Touch& c, TouchForce& f) {
   const double root = std::sqrt(c.reduced_radius * c.overlap);
   f.stiffness = 2 * law.modulus * root;
   f.shear_stiffness = 8 * law.shear_modulus * root;
@@ -95,25 +93,40 @@ template <bool Rolling>
 
   const double push = f.elastic + viscosity * c.approach;
   f.normal = push > law.floor ? push : law.floor;
-  const double pressed = f.normal > 0 ? f.normal : 0;
+}
 
-  const double limit = law.friction * pressed;
+// N, on the tangential force.
+[[gnu::always_inline]] inline double coulomb_limit(const ContactLaw& law, const TouchForce& f) {
+  return law.friction * (f.normal > 0 ? f.normal : 0);
+}
+
+// m: |xi| is at most mu Fn / St.
+[[gnu::always_inline]] inline double returned_spring(double limit, const TouchForce& f, double spring) {
+  const double reach = limit / f.shear_stiffness;
+  return spring > reach ? reach : spring < -reach ? -reach : spring;
+}
+
+// The second half.
+template <bool Rolling>
+[[gnu::always_inline]] inline void rub(const ContactLaw& law, const Touch& c, double limit, double rolling_smoothing,
+                                       TouchForce& f) {
   const double stick = -f.shear_stiffness * c.spring - f.shear_viscosity * c.slip;
   const double capped = stick > limit ? limit : stick;
   f.tangential = capped < -limit ? -limit : capped;
 
   if constexpr (Rolling) {
+    const double pressed = f.normal > 0 ? f.normal : 0;
     f.moment = -law.rolling * c.reduced_radius * pressed * c.spin /
                std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
   }
-  return f;
 }
 
-// m: |xi| is at most mu Fn / St.
-[[gnu::always_inline]] inline double returned_spring(const ContactLaw& law, const TouchForce& f, double spring) {
-  const double pressed = f.normal > 0 ? f.normal : 0;
-  const double limit = law.friction * pressed / f.shear_stiffness;
-  return spring > limit ? limit : spring < -limit ? -limit : spring;
+template <bool Rolling>
+inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
+  TouchForce f{};
+  press(law, c, f);
+  rub<Rolling>(law, c, coulomb_limit(law, f), rolling_smoothing, f);
+  return f;
 }
 
 // What the normal spring holds: the integral of Fe from 0 to d.

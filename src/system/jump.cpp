@@ -28,16 +28,11 @@ void System::return_springs(double t, State& y, JumpReport& report) {
   double& returned = chunk_returned_[0];
   if (keeps_ledger_) returned = y[ledger_of(friction_work)];
   add_up(t, y, &slots_, rates_, [&](const TouchBlock& c, int chunk) {
-    int moved = 0;
-    const int spare = spare_of(chunk);
-    for (int k = 0; k < c.count; ++k) {
-      double& held = spring[c.slot[k] < 0 ? spare : c.slot[k]];
-      if (keeps_ledger_)
-        chunk_returned_[chunk] += 0.5 * c.shear_stiffness[k] * (held * held - c.spring[k] * c.spring[k]);
-      moved += held != c.spring[k] ? 1 : 0;
-      held = c.spring[k];
-    }
-    if (moved != 0) changed = true;
+    if (put_returned(c, spring)) changed = true;
+    if (!keeps_ledger_) return;
+    double& sum = chunk_returned_[chunk];
+    for (int k = 0; k < c.count; ++k)
+      sum += 0.5 * c.shear_stiffness[k] * (c.held[k] * c.held[k] - c.spring[k] * c.spring[k]);
   });
   empty_spares(y);
   if (slots_.nearness.now == 1) {  // the state may come from elsewhere

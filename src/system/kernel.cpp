@@ -1,150 +1,157 @@
 #include "system/kernel.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "methods/wide.h"
+#include "system/lanes.h"
 
 namespace furrow {
 namespace {
 
 FURROW_WIDE int whole_lanes(int count) { return (count + TouchBlock::lanes - 1) & -TouchBlock::lanes; }
 
-using Four [[gnu::vector_size(32)]] = double;
+template <int N>
+FURROW_WIDE void line_up_lanes(const double* x, const double* y, const double* vx, const double* vy, DiscRow* row,
+                               std::size_t first, std::size_t last) {
+  std::size_t i = first;
+  for (; i + N <= last; i += N) {
+    Row rows[N];
+    lanes_to_rows<N>(get<Reals<N>>(x + i), get<Reals<N>>(y + i), get<Reals<N>>(vx + i), get<Reals<N>>(vy + i), rows);
+    for (int k = 0; k < N; ++k) put(rows[k], row + i + k);
+  }
+  for (; i < last; ++i) row[i] = {x[i], y[i], vx[i], vy[i]};
+}
 
-// One lane after the other: that takes less than the gather instructions of the processors at hand.
-template <bool Spins, bool Radii>
-void pair_up_loop(TouchBlock& c, const DiscMotion& disc) {
+template <int N>
+FURROW_WIDE void pair_up_lanes(TouchBlock& c, const DiscMotion& disc) {
+  using Real = Reals<N>;
   const DiscMotion from = disc;
+  const double half = 0.5 * from.lever;
   const int count = c.count;
-  int before = -1;
-  double x = 0, y = 0, vx = 0, vy = 0, spin = 0, radius = 0;
-  for (int k = 0; k < count; ++k) {
-    const int a = c.a[k];
-    const int b = c.b[k];
-    if (a != before) {
-      x = from.x[a];
-      y = from.y[a];
-      vx = from.vx[a];
-      vy = from.vy[a];
-      if constexpr (Spins) spin = from.spin[a];
-      if constexpr (Radii) radius = from.radius[a];
-      before = a;
+  const int *a = c.a, *b = c.b;
+  for (int k = 0; k < count; k += N, a += N, b += N) {
+    Row b_from_a[N];
+    for (int i = 0; i < N; ++i) b_from_a[i] = get<Row>(from.row + b[i]) - get<Row>(from.row + a[i]);
+    Real dx, dy, vx, vy;
+    rows_to_lanes<N>(b_from_a, dx, dy, vx, vy);
+    put(-vx, &c.vx[k]);
+    put(-vy, &c.vy[k]);
+    if (from.spin) {
+      put(gather<N>(from.spin, a), &c.spin_a[k]);
+      put(gather<N>(from.spin, b), &c.spin_b[k]);
     }
-    c.dx[k] = from.x[b] - x;
-    c.dy[k] = from.y[b] - y;
-    c.vx[k] = vx - from.vx[b];
-    c.vy[k] = vy - from.vy[b];
-    if constexpr (Spins) {
-      c.spin_a[k] = spin;
-      c.spin_b[k] = from.spin[b];
+    if (from.radius) {
+      put(gather<N>(from.radius, a), &c.radius_a[k]);
+      put(gather<N>(from.radius, b), &c.radius_b[k]);
     }
-    if constexpr (Radii) {
-      c.radius_a[k] = radius;
-      c.radius_b[k] = from.radius[b];
-    }
+    const auto radius_a = get<Real>(&c.radius_a[k]), radius_b = get<Real>(&c.radius_b[k]);
+    const Real within = radius_a + radius_b;
+    const Real distance2 = dx * dx + dy * dy;
+    const Real distance = square_roots<N>(distance2);
+    const auto touching = distance2 < within * within;
+    const Real overlap = touching ? within - distance : Real{};
+    put(distance2, &c.distance2[k]);
+    put(touching ? Real{} + 1 : Real{}, &c.touching[k]);
+    put(dx / distance, &c.nx[k]);
+    put(dy / distance, &c.ny[k]);
+    put(overlap, &c.overlap[k]);
+    put(radius_a - half * overlap, &c.arm_a[k]);
+    put(radius_b - half * overlap, &c.arm_b[k]);
   }
 }
 
+template <int N>
+FURROW_WIDE void take_springs_lanes(TouchBlock& c, const double* spring, int spare) {
+  const auto none = static_cast<unsigned>(spare);  // behind all slots, so that the lesser one is right, -1 being huge
+  for (int k = 0; k < c.count; ++k) c.place[k] = static_cast<int>(std::min(static_cast<unsigned>(c.slot[k]), none));
+  for (int k = c.count; k < whole_lanes(c.count); ++k) c.place[k] = spare;
+  for (int k = 0; k < c.count; k += N) put(gather<N>(spring, &c.place[k]), &c.spring[k]);
+}
+
+template <int N>
+FURROW_WIDE void put_by_place_lanes(const TouchBlock& c, const TouchBlock::Lanes<double>& from, double* by_place) {
+  for (int k = 0; k < c.count; k += N) scatter<N>(get<Reals<N>>(&from[k]), by_place, &c.place[k]);
+}
+
+template <int N>
+FURROW_WIDE bool put_returned_lanes(const TouchBlock& c, double* spring) {
+  std::int64_t changed = 0;
+  for (int k = 0; k < c.count; ++k) changed += c.spring[k] != c.held[k] ? 1 : 0;
+  put_by_place_lanes<N>(c, c.spring, spring);
+  return changed != 0;
+}
+
+template <int N>
 FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness) {
+  const int* slot = c.slot;
+  const int count = c.count;
   const double margin = nearness.margin;
-  const std::uint32_t now = nearness.now;
-  TouchBlock::Lanes<std::uint32_t> near;
-  for (int k = 0; k < c.count; ++k) {
+  const Wholes<N> now = static_cast<std::int32_t>(nearness.now) - Wholes<N>{};
+  Wholes<N> changes{};
+  int k = 0;
+  for (; k + N <= count; k += N) {
+    const Reals<N> reach = get<Reals<N>>(&c.radius_a[k]) + get<Reals<N>>(&c.radius_b[k]) + margin;
+    const Wholes<N> near = __builtin_convertvector(get<Reals<N>>(&c.distance2[k]) < reach * reach, Wholes<N>);
+    const Wholes<N> last = near ? now : get<Wholes<N>>(near_at + k);
+    put(last, near_at + k);
+    const Wholes<N> unheld = get<Wholes<N>>(slot + k) < 0;
+    changes |= (unheld & near) | (~unheld & (now - last > static_cast<std::int32_t>(quiet_jumps)));
+  }
+  std::uint32_t any = 0;
+  for (int i = 0; i < N; ++i) any |= static_cast<std::uint32_t>(changes[i]);
+  for (; k < count; ++k) {
     const double reach = c.radius_a[k] + c.radius_b[k] + margin;
-    near[k] = c.dx[k] * c.dx[k] + c.dy[k] * c.dy[k] < reach * reach ? 1 : 0;
+    if (c.distance2[k] < reach * reach) near_at[k] = nearness.now;
+    any |= slot_changes(slot[k], near_at[k], nearness.now);
   }
-  std::uint32_t changes = 0;
-  for (int k = 0; k < c.count; ++k) {
-    near_at[k] = near[k] != 0 ? now : near_at[k];
-    changes |= slot_changes(c.slot[k], near_at[k], now);
-  }
-  return changes != 0;
+  return any != 0;
 }
 
-// What the law needs of one contact, all kinds alike.
-struct Lane {
-  double nx, ny, overlap, vx, vy, spin_a, spin_b, radius_a, radius_b, arm_a, arm_b;
-  bool touching;
-};
-
-FURROW_WIDE Lane lane_of_discs(const TouchBlock& c, int k, double lever) {
-  const double half = 0.5 * lever;
-  const double distance2 = c.dx[k] * c.dx[k] + c.dy[k] * c.dy[k];
-  const double within = c.radius_a[k] + c.radius_b[k];
-  const double distance = std::sqrt(distance2);
-  const bool touching = distance2 < within * within;
-  const double overlap = touching ? within - distance : 0;
-  return {c.dx[k] / distance,
-          c.dy[k] / distance,
-          overlap,
-          c.vx[k],
-          c.vy[k],
-          c.spin_a[k],
-          c.spin_b[k],
-          c.radius_a[k],
-          c.radius_b[k],
-          c.radius_a[k] - half * overlap,
-          c.radius_b[k] - half * overlap,
-          touching};
-}
-
-FURROW_WIDE Lane lane_as_filled(const TouchBlock& c, int k) {
-  return {c.nx[k],     c.ny[k],       c.overlap[k],  c.vx[k],    c.vy[k],    c.spin_a[k],
-          c.spin_b[k], c.radius_a[k], c.radius_b[k], c.arm_a[k], c.arm_b[k], true};
-}
-
-// What only an onlooker and the ledger need.
-FURROW_WIDE void store_details(TouchBlock& c, int k, const Lane& lane, const TouchForce& f) {
-  c.touching[k] = lane.touching ? 1 : 0;
-  c.nx[k] = lane.nx;
-  c.ny[k] = lane.ny;
-  c.overlap[k] = lane.overlap;
-  c.vx[k] = lane.vx;
-  c.vy[k] = lane.vy;
-  c.radius_a[k] = lane.radius_a;
-  c.radius_b[k] = lane.radius_b;
-  c.spin_a[k] = lane.spin_a;
-  c.spin_b[k] = lane.spin_b;
-  c.arm_a[k] = lane.arm_a;
-  c.arm_b[k] = lane.arm_b;
-  c.elastic[k] = f.elastic;
-  c.normal[k] = f.normal;
-  c.tangential[k] = f.tangential;
-  c.moment[k] = f.moment;
-  c.stiffness[k] = f.stiffness;
-  c.shear_stiffness[k] = f.shear_stiffness;
-  c.shear_viscosity[k] = f.shear_viscosity;
-}
-
-template <bool Discs, bool OneLaw, bool Rolling, bool Returning, bool Details>
+// The two halves of the law in loops of their own: the processor has more lanes under way at once where each takes
+// fewer operations that wait for each other.
+template <bool OneLaw, bool Rolling, bool Returning, bool Details>
 FURROW_WIDE void law_lanes(TouchBlock& c, const ContactModel& model) {
   const ContactLaw* laws = model.law;
   const ContactLaw only = *laws;
   const double rolling_smoothing = model.rolling_smoothing;
-  const double lever = model.lever;
   for (int k = 0; k < whole_lanes(c.count); ++k) {
     const ContactLaw& law = OneLaw ? only : laws[c.law[k]];
-    const Lane lane = Discs ? lane_of_discs(c, k, lever) : lane_as_filled(c, k);
-    const double approach = lane.vx * lane.nx + lane.vy * lane.ny;
-    const double slip = lane.vy * lane.nx - lane.vx * lane.ny + (lane.spin_a * lane.arm_a + lane.spin_b * lane.arm_b);
-    Touch touch{lane.overlap,        approach,         slip, c.spring[k], lane.spin_a - lane.spin_b,
-                c.reduced_radius[k], c.reduced_mass[k]};
-    TouchForce f = hertz_mindlin<Rolling>(law, touch, rolling_smoothing);
-    if constexpr (Returning) {
-      touch.spring = lane.touching ? returned_spring(law, f, touch.spring) : 0;
-      c.spring[k] = touch.spring;
-      f = hertz_mindlin<Rolling>(law, touch, rolling_smoothing);
-    }
+    const double approach = c.vx[k] * c.nx[k] + c.vy[k] * c.ny[k];
+    TouchForce f{};
+    press(law, {c.overlap[k], approach, 0, 0, 0, c.reduced_radius[k], c.reduced_mass[k]}, f);
+    c.normal[k] = f.normal;
+    c.shear_stiffness[k] = f.shear_stiffness;
+    c.shear_viscosity[k] = f.shear_viscosity;
     if constexpr (Details) {
-      store_details(c, k, lane, f);
       c.approach[k] = approach;
+      c.elastic[k] = f.elastic;
+      c.stiffness[k] = f.stiffness;
     }
-    c.slip[k] = lane.touching ? slip : 0;
-    c.fx[k] = -f.normal * lane.nx - f.tangential * lane.ny;
-    c.fy[k] = -f.normal * lane.ny + f.tangential * lane.nx;
-    c.torque_a[k] = lane.arm_a * f.tangential + f.moment;
-    c.torque_b[k] = lane.arm_b * f.tangential - f.moment;
+  }
+  for (int k = 0; k < whole_lanes(c.count); ++k) {
+    const ContactLaw& law = OneLaw ? only : laws[c.law[k]];
+    const double nx = c.nx[k];
+    const double ny = c.ny[k];
+    const bool touching = c.touching[k] != 0;
+    const double slip = c.vy[k] * nx - c.vx[k] * ny + (c.spin_a[k] * c.arm_a[k] + c.spin_b[k] * c.arm_b[k]);
+    Touch touch{c.overlap[k], 0, slip, c.spring[k], c.spin_a[k] - c.spin_b[k], c.reduced_radius[k], 0};
+    TouchForce f{0, c.normal[k], 0, 0, 0, c.shear_stiffness[k], c.shear_viscosity[k]};
+    const double limit = coulomb_limit(law, f);
+    if constexpr (Returning) {
+      c.held[k] = touch.spring;
+      touch.spring = touching ? returned_spring(limit, f, touch.spring) : 0;
+      c.spring[k] = touch.spring;
+    }
+    rub<Rolling>(law, touch, limit, rolling_smoothing, f);
+    if constexpr (Details) {
+      c.tangential[k] = f.tangential;
+      c.moment[k] = f.moment;
+    }
+    c.slip[k] = touching ? slip : 0;
+    c.fx[k] = -f.normal * nx - f.tangential * ny;
+    c.fy[k] = -f.normal * ny + f.tangential * nx;
+    c.torque_a[k] = c.arm_a[k] * f.tangential + f.moment;
+    c.torque_b[k] = c.arm_b[k] * f.tangential - f.moment;
   }
 }
 
@@ -159,41 +166,56 @@ FURROW_WIDE void choose_loop(TouchBlock& c, const ContactModel& model, bool firs
 }
 
 FURROW_WIDE void evaluate_lanes(TouchBlock& c, const ContactModel& model, bool returning, bool details) {
-  choose_loop<>(c, model, c.kind == disc_disc, model.one_law, model.rolling, returning, details);
+  choose_loop<>(c, model, model.one_law, model.rolling, returning, details);
 }
 
 // The pairs of one disc as `a` follow each other: its sum stays in a register.
+template <int N>
 FURROW_WIDE void add_loads_lanes(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) {
-  const Four sign{-1, -1, 1, 1};
-  Four on_a{};
+  const Row sign{-1, -1, 1, 1};
+  const int* own = c.a;
+  const int count = c.count;
+  Row on_a{};
   int a = -1;
-  for (int k = 0; k < c.count; ++k) {
-    if (c.a[k] != a) {
-      if (a >= 0) std::memcpy(&sum[a], &on_a, sizeof on_a);
-      a = c.a[k];
-      std::memcpy(&on_a, &sum[a], sizeof on_a);
+  const auto add = [&](int k, const Row& load) {
+    if (own[k] != a) {
+      if (a >= 0) put(on_a, sum + a);
+      a = own[k];
+      on_a = get<Row>(sum + a);
     }
-    const Four load{c.fx[k], c.fy[k], c.torque_a[k], c.torque_b[k]};
     on_a += load;
-    Four sum_b;
-    std::memcpy(&sum_b, &sum[load_of_b[k]], sizeof sum_b);
-    sum_b += sign * __builtin_shufflevector(load, load, 0, 1, 3, 3);
-    std::memcpy(&sum[load_of_b[k]], &sum_b, sizeof sum_b);
+    DiscLoad* on_b = sum + load_of_b[k];
+    put(get<Row>(on_b) + sign * __builtin_shufflevector(load, load, 0, 1, 3, 3), on_b);
+  };
+  int k = 0;
+  for (; k + N <= count; k += N) {
+    Row load[N];
+    lanes_to_rows<N>(get<Reals<N>>(&c.fx[k]), get<Reals<N>>(&c.fy[k]), get<Reals<N>>(&c.torque_a[k]),
+                     get<Reals<N>>(&c.torque_b[k]), load);
+    for (int i = 0; i < N; ++i) add(k + i, load[i]);
   }
-  if (a >= 0) std::memcpy(&sum[a], &on_a, sizeof on_a);
+  for (; k < count; ++k) add(k, Row{c.fx[k], c.fy[k], c.torque_a[k], c.torque_b[k]});
+  if (a >= 0) put(on_a, sum + a);
 }
 
-template <bool Turning>
-FURROW_WIDE void accelerate_loop(const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) {
+template <int N>
+FURROW_WIDE void accelerate_lanes(const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last) {
+  std::size_t i = first;
+  for (; i + N <= last; i += N) {
+    Row row[N];
+    for (int k = 0; k < N; ++k) row[k] = get<Row>(load + i + k);
+    Reals<N> fx, fy, torque, unused;
+    rows_to_lanes<N>(row, fx, fy, torque, unused);
+    const auto inverse_mass = get<Reals<N>>(rates.inverse_mass + i);
+    put(fx * inverse_mass, rates.ax + i);
+    put(fy * inverse_mass - get<Reals<N>>(rates.weight + i), rates.ay + i);
+    if (rates.turning) put(torque * get<Reals<N>>(rates.inverse_inertia + i), rates.turning + i);
+  }
+  for (; i < last; ++i) {
     rates.ax[i] = load[i].fx * rates.inverse_mass[i];
     rates.ay[i] = load[i].fy * rates.inverse_mass[i] - rates.weight[i];
-    if constexpr (Turning) rates.turning[i] = load[i].torque * rates.inverse_inertia[i];
+    if (rates.turning) rates.turning[i] = load[i].torque * rates.inverse_inertia[i];
   }
-}
-
-FURROW_WIDE void accelerate_lanes(const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last) {
-  rates.turning ? accelerate_loop<true>(load, rates, first, last) : accelerate_loop<false>(load, rates, first, last);
 }
 
 // The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St follows the overlap
@@ -226,21 +248,22 @@ FURROW_WIDE void add_powers_lanes(const TouchBlock& c, bool friction, ContactPow
 
 }  // namespace
 
-FURROW_WIDTHS(bool, note_near, (const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness),
-              (c, near_at, nearness))
+FURROW_WIDTHS_OF(void, line_up,
+                 (const double* x, const double* y, const double* vx, const double* vy, DiscRow* row, std::size_t first,
+                  std::size_t last),
+                 (x, y, vx, vy, row, first, last))
+FURROW_WIDTHS_OF(void, pair_up, (TouchBlock & c, const DiscMotion& disc), (c, disc))
+FURROW_WIDTHS_OF(void, take_springs, (TouchBlock & c, const double* spring, int spare), (c, spring, spare))
+FURROW_WIDTHS_OF(void, put_by_place, (const TouchBlock& c, const TouchBlock::Lanes<double>& from, double* by_place),
+                 (c, from, by_place))
+FURROW_WIDTHS_OF(bool, put_returned, (const TouchBlock& c, double* spring), (c, spring))
+FURROW_WIDTHS_OF(bool, note_near, (const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness),
+                 (c, near_at, nearness))
 FURROW_WIDTHS(void, evaluate, (TouchBlock & c, const ContactModel& model, bool returning, bool details),
               (c, model, returning, details))
-FURROW_WIDTHS(void, add_loads, (const TouchBlock& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))
+FURROW_WIDTHS_OF(void, add_loads, (const TouchBlock& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))
 FURROW_WIDTHS(void, add_powers, (const TouchBlock& c, bool friction, ContactPowers& sum), (c, friction, sum))
-FURROW_WIDTHS(void, accelerate, (const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last),
-              (load, rates, first, last))
-
-void pair_up(TouchBlock& c, const DiscMotion& disc) {
-  if (disc.spin) {
-    disc.radius ? pair_up_loop<true, true>(c, disc) : pair_up_loop<true, false>(c, disc);
-  } else {
-    disc.radius ? pair_up_loop<false, true>(c, disc) : pair_up_loop<false, false>(c, disc);
-  }
-}
+FURROW_WIDTHS_OF(void, accelerate, (const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last),
+                 (load, rates, first, last))
 
 }  // namespace furrow

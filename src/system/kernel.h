@@ -12,11 +12,17 @@ struct alignas(32) DiscLoad {
   double fx, fy, torque, unused;
 };
 
-// One number a disc.
+// Position and velocity of a disc, side by side: a pair takes them by one load each.
+struct alignas(32) DiscRow {
+  double x, y, vx, vy;  // m, m/s
+};
+
+// What pairs take of their discs.
 struct DiscMotion {
-  const double *x, *y, *vx, *vy;  // m, m/s
-  const double* spin;             // rad/s; null: none
-  const double* radius;           // m; null: all alike, the block has it
+  const DiscRow* row;
+  const double* spin;    // rad/s; null: none
+  const double* radius;  // m; null: all alike, the block has it
+  double lever;          // 1: arm to the contact point, 0: whole radius
 };
 
 // When a candidate should take a slot for a tangential spring or give it back.
@@ -29,7 +35,6 @@ struct ContactModel {
   const ContactLaw* law;
   bool one_law;
   bool rolling;
-  double lever;              // 1: arm to the contact point, 0: whole radius
   double rolling_smoothing;  // rad/s
 };
 
@@ -44,15 +49,27 @@ struct DiscRates {
   const double *inverse_mass, *weight, *inverse_inertia;
 };
 
-// Fills the pairs of the block.
+// The rows of the discs [first, last).
+void line_up(const double* x, const double* y, const double* vx, const double* vy, DiscRow*, std::size_t first,
+             std::size_t last);
+
+// Where the pairs of the block touch, to the end of its last vector.
 void pair_up(TouchBlock&, const DiscMotion&);
 
 // Takes note of which pairs are near. True if one of them should take a slot or give it back.
 bool note_near(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
 
-// Runs the contact law over the block: slip, forces and torques. `returning`: with the springs returned to the
+// Runs the contact law over a filled block: slip, forces and torques. `returning`: with the springs returned to the
 // Coulomb limit; `details`: all that the block names.
 void evaluate(TouchBlock&, const ContactModel&, bool returning, bool details);
+
+// Takes the springs of the block from those of the state, the spare one for contacts without a slot, and puts numbers
+// of the block where these stand.
+void take_springs(TouchBlock&, const double* spring, int spare);
+void put_by_place(const TouchBlock&, const TouchBlock::Lanes<double>&, double* by_place);
+
+// Puts the springs of a block back that was evaluated with them returned. True if one has changed.
+bool put_returned(const TouchBlock&, double* spring);
 
 // Adds the loads of a block of disc pairs to those of the discs, in the order of the pairs.
 void add_loads(const TouchBlock&, const int* load_of_b, DiscLoad*);

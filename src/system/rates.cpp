@@ -13,6 +13,11 @@ void System::rhs(double t, const State& y, State& dydt) const {
 void System::look_around(double t, const State& y) const {
   place_nodes(y);
   search_.update(parts_, placement(t, y), threads_);
+  disc_row_.resize(static_cast<std::size_t>(parts_.disc.count()));
+  const double* at = y.data();
+  in_ranges(threads_, disc_row_.size(), [&](std::size_t first, std::size_t last) {
+    line_up(at, at + bodies_, at + 2 * bodies_, at + 3 * bodies_, disc_row_.data(), first, last);
+  });
 }
 
 void System::begin_rates(const State& y, State& dydt) const {
@@ -21,10 +26,17 @@ void System::begin_rates(const State& y, State& dydt) const {
   copy_in_ranges(threads_, y.data() + speeds, speeds, dydt.data());
   fill_in_ranges(threads_, dydt.data() + rest, dydt.size() - rest, 0.0);
   disc_load_.resize(static_cast<std::size_t>(parts_.disc.count() + search_.spills));
-  fill_in_ranges(threads_, disc_load_.data(), disc_load_.size(), DiscLoad{});
   std::fill(chunk_powers_.begin(), chunk_powers_.end(), ContactPowers{});
   std::copy(parts_.node.load_x.begin(), parts_.node.load_x.end(), node_fx_.begin());
   std::copy(parts_.node.load_y.begin(), parts_.node.load_y.end(), node_fy_.begin());
+}
+
+// Chunk by chunk, so that they are still in the cache when the pairs come.
+void System::empty_loads(const Chunk& chunk) const {
+  DiscLoad* load = disc_load_.data();
+  std::fill(load + chunk.first_disc, load + chunk.last_disc, DiscLoad{});
+  DiscLoad* spill = load + parts_.disc.count();
+  std::fill(spill + chunk.first_spill, spill + chunk.last_spill, DiscLoad{});
 }
 
 void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt) const {
@@ -53,14 +65,8 @@ void System::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt)
       node_fy_[j] -= c.share[k] * c.fy[k];
     }
   }
-  if (friction_) put_slips(c, chunk, dydt);
+  if (friction_) put_by_place(c, c.slip, dydt.data() + springs_);
   if (keeps_ledger_) add_to_ledger(c, chunk, t, dydt.data() + ledger_);
-}
-
-void System::put_slips(const TouchBlock& c, int chunk, State& dydt) const {
-  double* rate = dydt.data() + springs_;
-  const int spare = spare_of(chunk);
-  for (int k = 0; k < c.count; ++k) rate[c.slot[k] < 0 ? spare : c.slot[k]] = c.slip[k];
 }
 
 void System::join_chunks() const {

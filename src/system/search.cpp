@@ -241,12 +241,13 @@ void NeighbourSearch::cut_into_chunks(int discs) {
   spills = 0;
   int pair = 0;
   for (int first = 0; first < discs; first += discs_a_chunk) {
-    Chunk chunk{first, std::min(discs, first + discs_a_chunk), pair, pair, spills};
+    Chunk chunk{first, std::min(discs, first + discs_a_chunk), pair, pair, spills, spills};
     for (; pair < list.count() && list.a[pair] < chunk.last_disc; ++pair) {
       const int b = list.b[pair];
       if (b >= chunk.last_disc) spilled[b / discs_a_chunk].push_back({spills++, b});
     }
     chunk.last_pair = pair;
+    chunk.last_spill = spills;
     chunks.push_back(chunk);
   }
 }

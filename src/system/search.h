@@ -42,7 +42,7 @@ struct Candidates {
 // Discs that follow each other, and the pairs that have one of them as the first. What a pair does to a disc of a later
 // chunk is a spill: kept apart until all chunks are done, then added in the order of the pairs.
 struct Chunk {
-  int first_disc, last_disc, first_pair, last_pair, first_spill;
+  int first_disc, last_disc, first_pair, last_pair, first_spill, last_spill;
 };
 
 class NeighbourSearch {

@@ -63,14 +63,16 @@ System::System(const Scene& scene)
   node_fy_.resize(nodes_.x.size());
   const auto one_value = [](const auto& all) { return std::equal(all.begin() + 1, all.end(), all.begin()); };
   const DiscArrays& disc = parts_.disc;
-  alike_ = disc.count() > 1 && one_value(disc.radius) && one_value(disc.mass) && one_value(disc.material);
+  if (disc.count() > 1 && one_value(disc.material)) law_of_pairs_ = parts_.law_of(disc.material[0], disc.material[0]);
+  alike_ = law_of_pairs_ >= 0 && one_value(disc.radius) && one_value(disc.mass);
   if (disc.count() > NeighbourSearch::discs_a_chunk) threads_ = scene.search.threads;
   chunk_powers_.resize(static_cast<std::size_t>(chunks));
   chunk_returned_.resize(static_cast<std::size_t>(chunks));
   disc_block_.resize(static_cast<std::size_t>(threads_));
+  flat_block_.touching.fill(1);  // the others are left out of it
   for (TouchBlock& c : disc_block_) {
     if (!alike_) continue;
-    c.law.fill(parts_.law_of(disc.material[0], disc.material[0]));
+    c.law.fill(law_of_pairs_);
     c.radius_a.fill(disc.radius[0]);
     c.radius_b.fill(disc.radius[0]);
     c.reduced_radius.fill(disc.radius[0] * disc.radius[0] / (disc.radius[0] + disc.radius[0]));

@@ -108,8 +108,13 @@ class System : public OdeSystem {
   // Forces alone, the ledger's terms too, or all that a block names of those that touch.
   enum class Asker { rates, ledger, onlooker };
 
-  ContactModel contact_model() const {
-    return {parts_.law.data(), parts_.law.size() == 1, rolling_, lever_, rolling_smoothing_};
+  // One law of all contacts is quicker than that of each.
+  ContactModel model(bool one_law, int law) const {
+    return {&parts_.law[one_law ? law : 0], one_law, rolling_, rolling_smoothing_};
+  }
+  ContactModel model_of_pairs() const { return model(law_of_pairs_ >= 0, law_of_pairs_); }
+  ContactModel model_of(const TouchBlock& c) const {
+    return model(std::equal(c.law.begin() + 1, c.law.begin() + c.count, c.law.begin()), c.law[0]);
   }
   int spare_of(int chunk) const { return spring_count_ + chunk; }
   void empty_spares(State& of) const { std::fill(of.begin() + springs_ + spring_count_, of.begin() + ledger_, 0.0); }
@@ -132,8 +137,8 @@ class System : public OdeSystem {
   void take_springs(TouchBlock& c, const State& y, int chunk) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
+  void empty_loads(const Chunk& chunk) const;
   void add_contacts(const TouchBlock& block, int chunk, double t, State& dydt) const;
-  void put_slips(const TouchBlock& block, int chunk, State& dydt) const;
   void join_chunks() const;
   void finish_rates(State& dydt) const;
   void add_link_forces(double* work) const;
@@ -148,7 +153,8 @@ class System : public OdeSystem {
   double rolling_smoothing_ = 0;
   bool friction_ = false, rolling_ = false, keeps_ledger_ = false, preparing_ = false;
   int threads_ = 1;
-  bool alike_ = false;  // all discs have the same radius, mass and material
+  bool alike_ = false;     // all discs have the same radius, mass and material
+  int law_of_pairs_ = -1;  // if all discs have the same material
   int bodies_ = 0, springs_ = 0, spring_count_ = 0, ledger_ = 0;
   std::vector<double> inverse_mass_, inverse_inertia_, weight_;  // by body
 
@@ -163,6 +169,7 @@ class System : public OdeSystem {
   mutable NeighbourSearch search_;
   mutable Nodes nodes_;
   mutable std::vector<double> node_fx_, node_fy_;
+  mutable std::vector<DiscRow> disc_row_;
   mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each spill
   mutable std::vector<ContactPowers> chunk_powers_;  // of the pairs of each chunk; the first takes all in the end
   mutable std::vector<TouchBlock> disc_block_;       // one for each thread
@@ -172,7 +179,7 @@ class System : public OdeSystem {
 // Calls sink(block, chunk), for different chunks at once unless an onlooker asks.
 template <class Sink>
 void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const {
-  const ContactModel model = contact_model();
+  const ContactModel model = model_of_pairs();
   const int chunks = static_cast<int>(search_.chunks.size());
   if (slots) slots->changing.resize(search_.chunks.size());
   in_parallel(asker == Asker::onlooker ? 1 : threads_, chunks, [&](int number, int thread) {
@@ -180,6 +187,7 @@ void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink
     TouchBlock& c = disc_block_[thread];
     if (slots) slots->changing[number].clear();
     int spill = parts_.disc.count() + chunk.first_spill;
+    if (asker != Asker::onlooker) empty_loads(chunk);
     for (int first = chunk.first_pair; first < chunk.last_pair; first += TouchBlock::capacity) {
       const int last = std::min(chunk.last_pair, first + TouchBlock::capacity);
       if (chunks > 1) fetch_ahead(y, first, last);
@@ -200,14 +208,13 @@ void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink
 
 template <class Sink>
 void System::for_each_flat_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const {
-  const ContactModel model = contact_model();
   for (int kind = disc_disc + 1; kind < contact_kinds; ++kind) {
     const int count = search_.candidates[kind].count();
     for (int first = 0; first < count; first += TouchBlock::capacity) {
       fill_flat(static_cast<ContactKind>(kind), first, std::min(count, first + TouchBlock::capacity), t, y, slots);
       if (flat_block_.count == 0) continue;
       take_springs(flat_block_, y, 0);
-      evaluate(flat_block_, model, slots != nullptr, asker != Asker::rates);
+      evaluate(flat_block_, model_of(flat_block_), slots != nullptr, asker != Asker::rates);
       sink(static_cast<const TouchBlock&>(flat_block_));
     }
   }

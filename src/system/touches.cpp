@@ -6,17 +6,30 @@
 
 namespace furrow {
 
+void TouchBlock::fill_last_lanes() {
+  if (count % lanes == 0) return;
+  std::copy(a, a + count, own_a.begin());
+  std::copy(b, b + count, own_b.begin());
+  for (int k = count; k % lanes != 0; ++k) {
+    own_a[k] = own_a[count - 1];
+    own_b[k] = own_b[count - 1];
+  }
+  a = own_a.data();
+  b = own_b.data();
+}
+
 void TouchBlock::keep_touching() {
   int n = 0;
   for (int k = 0; k < count; ++k) {
-    const double within = radius_a[k] + radius_b[k];
+    if (touching[k] == 0) continue;
     own_a[n] = a[k];
     own_b[n] = b[k];
     own_slot[n] = slot[k];
     law[n] = law[k];
-    for (auto* field : {&dx, &dy, &vx, &vy, &spin_a, &spin_b, &radius_a, &radius_b, &reduced_radius, &reduced_mass})
+    for (auto* field : {&touching, &nx, &ny, &overlap, &vx, &vy, &spin_a, &spin_b, &radius_a, &radius_b, &arm_a, &arm_b,
+                        &reduced_radius, &reduced_mass})
       (*field)[n] = (*field)[k];
-    n += dx[n] * dx[n] + dy[n] * dy[n] < within * within ? 1 : 0;
+    ++n;
   }
   count = n;
   look_at_own();
@@ -49,13 +62,8 @@ void System::Slots::relax(int slot) {
 }
 
 DiscMotion System::motion(const State& y) const {
-  const double* at = y.data();
-  return {at,
-          at + bodies_,
-          at + 2 * bodies_,
-          at + 3 * bodies_,
-          friction_ ? at + 4 * bodies_ : nullptr,
-          alike_ ? nullptr : parts_.disc.radius.data()};
+  return {disc_row_.data(), friction_ ? y.data() + spin_of(0) : nullptr, alike_ ? nullptr : parts_.disc.radius.data(),
+          lever_};
 }
 
 // Calls for the discs that the pairs after the next blocks need: the second ones of them lie about in memory.
@@ -64,9 +72,12 @@ void System::fetch_ahead(const State& y, int first, int last) const {
   const std::vector<int>& a = search_.candidates[disc_disc].a;
   const int end = std::min(parts_.disc.count(), (a[last - 1] + ahead) & -a_line);
   for (int i = (a[first] + ahead) & -a_line; i < end; i += a_line) {
-    for (int field = 0; field < (friction_ ? 5 : 4); ++field) __builtin_prefetch(y.data() + field * bodies_ + i);
+    if (friction_) __builtin_prefetch(y.data() + spin_of(i));
     __builtin_prefetch(parts_.disc.radius.data() + i);
-    for (int load = 0; load < a_line; load += 2) __builtin_prefetch(disc_load_.data() + i + load, 1);
+    for (int half = 0; half < a_line; half += 2) {
+      __builtin_prefetch(disc_row_.data() + i + half);
+      __builtin_prefetch(disc_load_.data() + i + half, 1);
+    }
   }
 }
 
@@ -80,8 +91,9 @@ void System::hand_out_slots(const State& y, Slots& slots, State& dydt) const {
       const int last = std::min(search_.chunks[chunk].last_pair, first + TouchBlock::capacity);
       for (int k = first; k < last; ++k) slots.see(list, k, false);
       fill_discs(c, y, first, last);
-      evaluate(c, contact_model(), false, false);
-      put_slips(c, static_cast<int>(chunk), dydt);
+      take_springs(c, y, static_cast<int>(chunk));
+      evaluate(c, model_of_pairs(), false, false);
+      put_by_place(c, c.slip, dydt.data() + springs_);
     }
   }
 }
@@ -95,6 +107,7 @@ void System::fill_discs(TouchBlock& c, const State& y, int first, int last) cons
   c.a = &list.a[first];
   c.b = &list.b[first];
   c.slot = &list.slot[first];
+  c.fill_last_lanes();
   if (!alike_) {
     take(list.law, c.law);
     take(list.reduced_radius, c.reduced_radius);
@@ -105,9 +118,7 @@ void System::fill_discs(TouchBlock& c, const State& y, int first, int last) cons
 
 void System::take_springs(TouchBlock& c, const State& y, int chunk) const {
   if (!friction_) return;
-  const double* spring = y.data() + springs_;
-  const int spare = spare_of(chunk);
-  for (int k = 0; k < c.count; ++k) c.spring[k] = spring[c.slot[k] < 0 ? spare : c.slot[k]];
+  furrow::take_springs(c, y.data() + springs_, spare_of(chunk));
 }
 
 // Of the candidate's segments the nearest point; of two equally near the first.
@@ -128,7 +139,8 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
   return best;
 }
 
-// Contacts of a disc or node with something that does not spin: wall, plate, lattice.
+// Contacts of a disc or node with something that does not spin: wall, plate, lattice. Its radius, arm and spin stay 0
+// in the block.
 template <ContactKind kind>
 void System::fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const {
   Candidates& list = search_.candidates[kind];
@@ -176,7 +188,6 @@ void System::fill_flat_of(int first, int last, double t, const State& y, Slots* 
     c.own_b[n] = b;
     c.own_slot[n] = list.slot[k];
     c.law[n] = list.law[k];
-    c.touching[n] = 1;
     c.reduced_radius[n] = list.reduced_radius[k];
     if (kind != disc_lattice) c.reduced_mass[n] = list.reduced_mass[k];
     c.nx[n] = gap.nx;
@@ -185,11 +196,8 @@ void System::fill_flat_of(int first, int last, double t, const State& y, Slots* 
     c.vx[n] = (disc ? y[vx_of(a)] : nodes_.vx[a]) - other_vx;
     c.vy[n] = (disc ? y[vy_of(a)] : nodes_.vy[a]) - other_vy;
     c.spin_a[n] = disc && friction_ ? y[spin_of(a)] : 0;
-    c.spin_b[n] = 0;
     c.radius_a[n] = disc ? parts_.disc.radius[a] : 0;
-    c.radius_b[n] = 0;
     c.arm_a[n] = c.radius_a[n] - lever * c.overlap[n];
-    c.arm_b[n] = 0;
     ++n;
   }
   c.count = n;
