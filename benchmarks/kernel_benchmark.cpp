@@ -63,7 +63,7 @@ struct Patch {
 
   void gather() {
     furrow::line_up(x.data(), y.data(), vx.data(), vy.data(), rows.data(), 0, rows.size());
-    furrow::pair_up(*block, {rows.data(), spin.data(), nullptr, 1});
+    furrow::pair_up(*block, {rows.data(), spin.data(), nullptr, 1, 0});
     furrow::take_springs(*block, spring.data(), contacts);
   }
 

@@ -25,11 +25,13 @@ struct Part {
 // The first that fits counts. A function of no part (of the C and C++ libraries, mostly) belongs to whoever called it.
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
-      {"pairs of discs", {"::line_up_", "::pair_up_", "System::fill_discs(", "System::look_around("}},
+      {"pairs of discs",
+       {"::line_up_", "::pair_up_", "System::fill_discs(", "System::point_at(", "System::look_around("}},
       {"contact law", {"::evaluate_", "::take_springs_", "System::take_springs("}},
       {"sums of forces",
        {"::add_loads_", "::put_by_place_", "System::add_contacts(", "System::empty_loads(", "System::join_chunks("}},
-      {"walls, plate, border of the lattice", {"System::fill_flat", "System::nearest_border(", "System::plate_at("}},
+      {"walls, plate, border of the lattice",
+       {"System::fill_flat", "System::fill_walls(", "::meet_walls_", "System::nearest_border(", "System::plate_at("}},
       {"links", {"System::add_link_forces(", "System::tear_links(", "System::place_nodes("}},
       {"neighbour search", {"NeighbourSearch::", "::all_within_"}},
       {"springs and jump", {"::note_near_", "::put_returned_", "Slots::", "System::return_springs(", "System::jump("}},

@@ -18,7 +18,7 @@ JumpReport System::jump(double t, State& y) {
 // Springs return to |xi| <= mu Fn / St, that of an opened contact relaxes. The forces that this takes are those of the
 // state it leaves, so the rates there come with it. Each spring belongs to one contact, so it may be written at once.
 void System::return_springs(double t, State& y, JumpReport& report) {
-  ++slots_.nearness.now;
+  ++slots_.now;
   rates_.resize(y.size());
   double* spring = y.data() + springs_;
   slots_.spring = spring;
@@ -35,7 +35,7 @@ void System::return_springs(double t, State& y, JumpReport& report) {
       sum += 0.5 * c.shear_stiffness[k] * (c.held[k] * c.held[k] - c.spring[k] * c.spring[k]);
   });
   empty_spares(y);
-  if (slots_.nearness.now == 1) {  // the state may come from elsewhere
+  if (slots_.now == 1) {  // the state may come from elsewhere
     for (const int slot : slots_.unused) slots_.relax(slot);
   }
   for (std::size_t k = 1; k < chunk_returned_.size(); ++k) returned += chunk_returned_[k];

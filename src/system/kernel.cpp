@@ -50,13 +50,44 @@ FURROW_WIDE void pair_up_lanes(TouchBlock& c, const DiscMotion& disc) {
     const Real distance = square_roots<N>(distance2);
     const auto touching = distance2 < within * within;
     const Real overlap = touching ? within - distance : Real{};
-    put(distance2, &c.distance2[k]);
+    const Real reach = within + from.margin;
+    put(__builtin_convertvector(distance2 < reach * reach, Wholes<N>), &c.near[k]);
     put(touching ? Real{} + 1 : Real{}, &c.touching[k]);
     put(dx / distance, &c.nx[k]);
     put(dy / distance, &c.ny[k]);
     put(overlap, &c.overlap[k]);
     put(radius_a - half * overlap, &c.arm_a[k]);
     put(radius_b - half * overlap, &c.arm_b[k]);
+  }
+}
+
+template <int N>
+FURROW_WIDE void meet_walls_lanes(TouchBlock& c, const DiscMotion& disc, const WallPart* wall) {
+  using Real = Reals<N>;
+  const DiscMotion from = disc;
+  const int count = c.count;
+  const int *a = c.a, *b = c.b;
+  for (int k = 0; k < count; k += N, a += N, b += N) {
+    Row of_disc[N], of_wall[N];
+    for (int i = 0; i < N; ++i) of_disc[i] = get<Row>(from.row + a[i]);
+    for (int i = 0; i < N; ++i) of_wall[i] = get<Row>(wall + b[i]);
+    Real x, y, vx, vy, px, py, nx, ny;
+    rows_to_lanes<N>(of_disc, x, y, vx, vy);
+    rows_to_lanes<N>(of_wall, px, py, nx, ny);
+    if (from.spin) put(gather<N>(from.spin, a), &c.spin_a[k]);
+    if (from.radius) put(gather<N>(from.radius, a), &c.radius_a[k]);
+    const auto radius = get<Real>(&c.radius_a[k]);
+    const Real gap = (x - px) * nx + (y - py) * ny - radius;
+    const auto touching = gap < 0.0;
+    const Real overlap = touching ? -gap : Real{};
+    put(__builtin_convertvector(gap < from.margin, Wholes<N>), &c.near[k]);
+    put(touching ? Real{} + 1 : Real{}, &c.touching[k]);
+    put(-nx, &c.nx[k]);
+    put(-ny, &c.ny[k]);
+    put(overlap, &c.overlap[k]);
+    put(vx, &c.vx[k]);
+    put(vy, &c.vy[k]);
+    put(radius - from.lever * overlap, &c.arm_a[k]);
   }
 }
 
@@ -81,30 +112,14 @@ FURROW_WIDE bool put_returned_lanes(const TouchBlock& c, double* spring) {
   return changed != 0;
 }
 
-template <int N>
-FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness) {
+FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, std::uint32_t now) {
   const int* slot = c.slot;
-  const int count = c.count;
-  const double margin = nearness.margin;
-  const Wholes<N> now = static_cast<std::int32_t>(nearness.now) - Wholes<N>{};
-  Wholes<N> changes{};
-  int k = 0;
-  for (; k + N <= count; k += N) {
-    const Reals<N> reach = get<Reals<N>>(&c.radius_a[k]) + get<Reals<N>>(&c.radius_b[k]) + margin;
-    const Wholes<N> near = __builtin_convertvector(get<Reals<N>>(&c.distance2[k]) < reach * reach, Wholes<N>);
-    const Wholes<N> last = near ? now : get<Wholes<N>>(near_at + k);
-    put(last, near_at + k);
-    const Wholes<N> unheld = get<Wholes<N>>(slot + k) < 0;
-    changes |= (unheld & near) | (~unheld & (now - last > static_cast<std::int32_t>(quiet_jumps)));
+  std::uint32_t changes = 0;
+  for (int k = 0; k < c.count; ++k) {
+    near_at[k] = c.near[k] != 0 ? now : near_at[k];
+    changes |= slot_changes(slot[k], near_at[k], now);
   }
-  std::uint32_t any = 0;
-  for (int i = 0; i < N; ++i) any |= static_cast<std::uint32_t>(changes[i]);
-  for (; k < count; ++k) {
-    const double reach = c.radius_a[k] + c.radius_b[k] + margin;
-    if (c.distance2[k] < reach * reach) near_at[k] = nearness.now;
-    any |= slot_changes(slot[k], near_at[k], nearness.now);
-  }
-  return any != 0;
+  return changes != 0;
 }
 
 // The two halves of the law in loops of their own: the processor has more lanes under way at once where each takes
@@ -198,6 +213,15 @@ FURROW_WIDE void add_loads_lanes(const TouchBlock& c, const int* load_of_b, Disc
   if (a >= 0) put(on_a, sum + a);
 }
 
+template <class Real>
+FURROW_WIDE void accelerate_from(std::size_t i, const Real& fx, const Real& fy, const Real& torque,
+                                 const DiscRates& rates) {
+  const auto inverse_mass = get<Real>(rates.inverse_mass + i);
+  put(fx * inverse_mass, rates.ax + i);
+  put(fy * inverse_mass - get<Real>(rates.weight + i), rates.ay + i);
+  if (rates.turning) put(torque * get<Real>(rates.inverse_inertia + i), rates.turning + i);
+}
+
 template <int N>
 FURROW_WIDE void accelerate_lanes(const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last) {
   std::size_t i = first;
@@ -206,16 +230,9 @@ FURROW_WIDE void accelerate_lanes(const DiscLoad* load, const DiscRates& rates, 
     for (int k = 0; k < N; ++k) row[k] = get<Row>(load + i + k);
     Reals<N> fx, fy, torque, unused;
     rows_to_lanes<N>(row, fx, fy, torque, unused);
-    const auto inverse_mass = get<Reals<N>>(rates.inverse_mass + i);
-    put(fx * inverse_mass, rates.ax + i);
-    put(fy * inverse_mass - get<Reals<N>>(rates.weight + i), rates.ay + i);
-    if (rates.turning) put(torque * get<Reals<N>>(rates.inverse_inertia + i), rates.turning + i);
+    accelerate_from(i, fx, fy, torque, rates);
   }
-  for (; i < last; ++i) {
-    rates.ax[i] = load[i].fx * rates.inverse_mass[i];
-    rates.ay[i] = load[i].fy * rates.inverse_mass[i] - rates.weight[i];
-    if (rates.turning) rates.turning[i] = load[i].torque * rates.inverse_inertia[i];
-  }
+  for (; i < last; ++i) accelerate_from(i, load[i].fx, load[i].fy, load[i].torque, rates);
 }
 
 // The tangential spring holds 1/2 St xi^2; it changes by the slip (St xi vt) and because St follows the overlap
@@ -253,12 +270,12 @@ FURROW_WIDTHS_OF(void, line_up,
                   std::size_t last),
                  (x, y, vx, vy, row, first, last))
 FURROW_WIDTHS_OF(void, pair_up, (TouchBlock & c, const DiscMotion& disc), (c, disc))
+FURROW_WIDTHS_OF(void, meet_walls, (TouchBlock & c, const DiscMotion& disc, const WallPart* wall), (c, disc, wall))
 FURROW_WIDTHS_OF(void, take_springs, (TouchBlock & c, const double* spring, int spare), (c, spring, spare))
 FURROW_WIDTHS_OF(void, put_by_place, (const TouchBlock& c, const TouchBlock::Lanes<double>& from, double* by_place),
                  (c, from, by_place))
 FURROW_WIDTHS_OF(bool, put_returned, (const TouchBlock& c, double* spring), (c, spring))
-FURROW_WIDTHS_OF(bool, note_near, (const TouchBlock& c, std::uint32_t* near_at, const Nearness& nearness),
-                 (c, near_at, nearness))
+FURROW_WIDTHS(bool, note_near, (const TouchBlock& c, std::uint32_t* near_at, std::uint32_t now), (c, near_at, now))
 FURROW_WIDTHS(void, evaluate, (TouchBlock & c, const ContactModel& model, bool returning, bool details),
               (c, model, returning, details))
 FURROW_WIDTHS_OF(void, add_loads, (const TouchBlock& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))

@@ -17,18 +17,13 @@ struct alignas(32) DiscRow {
   double x, y, vx, vy;  // m, m/s
 };
 
-// What pairs take of their discs.
+// What contacts take of their discs.
 struct DiscMotion {
   const DiscRow* row;
   const double* spin;    // rad/s; null: none
   const double* radius;  // m; null: all alike, the block has it
   double lever;          // 1: arm to the contact point, 0: whole radius
-};
-
-// When a candidate should take a slot for a tangential spring or give it back.
-struct Nearness {
-  double margin = 0;      // m
-  std::uint32_t now = 0;  // number of this jump; the first is 1, so that 0 is no jump
+  double margin;         // m, see NeighbourSearch
 };
 
 struct ContactModel {
@@ -53,11 +48,12 @@ struct DiscRates {
 void line_up(const double* x, const double* y, const double* vx, const double* vy, DiscRow*, std::size_t first,
              std::size_t last);
 
-// Where the pairs of the block touch, to the end of its last vector.
+// Where the pairs of the block touch, to the end of its last vector; where its discs touch their walls.
 void pair_up(TouchBlock&, const DiscMotion&);
+void meet_walls(TouchBlock&, const DiscMotion&, const WallPart*);
 
-// Takes note of which pairs are near. True if one of them should take a slot or give it back.
-bool note_near(const TouchBlock&, std::uint32_t* near_at, const Nearness&);
+// Takes note of which contacts are near at jump `now`. True if one of them should take a slot or give it back.
+bool note_near(const TouchBlock&, std::uint32_t* near_at, std::uint32_t now);
 
 // Runs the contact law over a filled block: slip, forces and torques. `returning`: with the springs returned to the
 // Coulomb limit; `details`: all that the block names.

@@ -38,7 +38,6 @@ System::System(const Scene& scene)
   springs_ = 4 * bodies_ + spins;
   const int chunks = 1 + parts_.disc.count() / NeighbourSearch::discs_a_chunk;
   ledger_ = springs_ + spring_count_ + (spring_count_ > 0 ? chunks : 0);
-  slots_.nearness.margin = search_.margin;
   for (int k = spring_count_; k-- > 0;) slots_.unused.push_back(k);
 
   for (int i = 0; i < parts_.disc.count(); ++i) {
@@ -70,6 +69,8 @@ System::System(const Scene& scene)
   chunk_returned_.resize(static_cast<std::size_t>(chunks));
   disc_block_.resize(static_cast<std::size_t>(threads_));
   flat_block_.touching.fill(1);  // the others are left out of it
+  wall_block_.kind = disc_wall;
+  if (alike_) wall_block_.radius_a.fill(disc.radius[0]);
   for (TouchBlock& c : disc_block_) {
     if (!alike_) continue;
     c.law.fill(law_of_pairs_);

@@ -96,7 +96,7 @@ class System : public OdeSystem {
   // Slots for tangential springs that no contact holds; the last one is taken next.
   struct Slots {
     std::vector<int> unused;
-    Nearness nearness;
+    std::uint32_t now = 0;                   // number of this jump; the first is 1, so that 0 is no jump
     std::vector<std::vector<int>> changing;  // by chunk: first pairs of blocks where one takes or gives back a slot
     double* spring = nullptr;                // of the state in a jump
     bool relaxed = false;
@@ -130,7 +130,9 @@ class System : public OdeSystem {
   void add_up(double t, const State& y, Slots* slots, State& dydt, Also&& also) const;
   void fetch_ahead(const State& y, int first, int last) const;
   void hand_out_slots(const State& y, Slots& slots, State& dydt) const;
+  void point_at(TouchBlock& c, ContactKind kind, int first, int last) const;
   void fill_discs(TouchBlock& c, const State& y, int first, int last) const;
+  void fill_walls(int first, int last, const State& y, Slots* slots) const;
   template <ContactKind kind>
   void fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const;
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
@@ -173,7 +175,7 @@ class System : public OdeSystem {
   mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each spill
   mutable std::vector<ContactPowers> chunk_powers_;  // of the pairs of each chunk; the first takes all in the end
   mutable std::vector<TouchBlock> disc_block_;       // one for each thread
-  mutable TouchBlock flat_block_;
+  mutable TouchBlock wall_block_, flat_block_;
 };
 
 // Calls sink(block, chunk), for different chunks at once unless an onlooker asks.
@@ -192,7 +194,7 @@ void System::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink
       const int last = std::min(chunk.last_pair, first + TouchBlock::capacity);
       if (chunks > 1) fetch_ahead(y, first, last);
       fill_discs(c, y, first, last);
-      if (slots && note_near(c, &search_.candidates[disc_disc].near_at[first], slots->nearness))
+      if (slots && note_near(c, &search_.candidates[disc_disc].near_at[first], slots->now))
         slots->changing[number].push_back(first);
       if (asker == Asker::onlooker) c.keep_touching();
       if (c.count == 0) continue;
@@ -211,11 +213,18 @@ void System::for_each_flat_block(double t, const State& y, Slots* slots, Asker a
   for (int kind = disc_disc + 1; kind < contact_kinds; ++kind) {
     const int count = search_.candidates[kind].count();
     for (int first = 0; first < count; first += TouchBlock::capacity) {
-      fill_flat(static_cast<ContactKind>(kind), first, std::min(count, first + TouchBlock::capacity), t, y, slots);
-      if (flat_block_.count == 0) continue;
-      take_springs(flat_block_, y, 0);
-      evaluate(flat_block_, model_of(flat_block_), slots != nullptr, asker != Asker::rates);
-      sink(static_cast<const TouchBlock&>(flat_block_));
+      const int last = std::min(count, first + TouchBlock::capacity);
+      TouchBlock& c = kind == disc_wall ? wall_block_ : flat_block_;
+      if (kind == disc_wall) {
+        fill_walls(first, last, y, slots);
+        if (asker == Asker::onlooker) c.keep_touching();
+      } else {
+        fill_flat(static_cast<ContactKind>(kind), first, last, t, y, slots);
+      }
+      if (c.count == 0) continue;
+      take_springs(c, y, 0);
+      evaluate(c, model_of(c), slots != nullptr, asker != Asker::rates);
+      sink(static_cast<const TouchBlock&>(c));
     }
   }
 }

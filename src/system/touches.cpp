@@ -38,8 +38,8 @@ void TouchBlock::keep_touching() {
 // A near contact gets a slot, one that has long been apart gives it back.
 void System::Slots::see(Candidates& list, int candidate, bool near) {
   int& slot = list.slot[candidate];
-  if (near) list.near_at[candidate] = nearness.now;
-  if (slot_changes(slot, list.near_at[candidate], nearness.now) == 0) return;
+  if (near) list.near_at[candidate] = now;
+  if (slot_changes(slot, list.near_at[candidate], now) == 0) return;
   if (slot >= 0) {
     unused.push_back(slot);
     slot = -1;
@@ -63,7 +63,7 @@ void System::Slots::relax(int slot) {
 
 DiscMotion System::motion(const State& y) const {
   return {disc_row_.data(), friction_ ? y.data() + spin_of(0) : nullptr, alike_ ? nullptr : parts_.disc.radius.data(),
-          lever_};
+          lever_, search_.margin};
 }
 
 // Calls for the discs that the pairs after the next blocks need: the second ones of them lie about in memory.
@@ -98,22 +98,33 @@ void System::hand_out_slots(const State& y, Slots& slots, State& dydt) const {
   }
 }
 
-// The block of the candidates [first, last). Discs that do not touch stay in it: with a list so close, leaving them out
-// costs more.
-void System::fill_discs(TouchBlock& c, const State& y, int first, int last) const {
-  const Candidates& list = search_.candidates[disc_disc];
+// The block of the candidates [first, last), with what never changes of them.
+void System::point_at(TouchBlock& c, ContactKind kind, int first, int last) const {
+  const Candidates& list = search_.candidates[kind];
   c.count = last - first;
-  const auto take = [&](const auto& from, auto& to) { std::copy(&from[first], &from[first] + c.count, &to[0]); };
   c.a = &list.a[first];
   c.b = &list.b[first];
   c.slot = &list.slot[first];
   c.fill_last_lanes();
-  if (!alike_) {
-    take(list.law, c.law);
-    take(list.reduced_radius, c.reduced_radius);
-    take(list.reduced_mass, c.reduced_mass);
-  }
+  if (kind == disc_disc && alike_) return;
+  const auto take = [&](const auto& from, auto& to) { std::copy(&from[first], &from[first] + c.count, &to[0]); };
+  take(list.law, c.law);
+  take(list.reduced_radius, c.reduced_radius);
+  take(list.reduced_mass, c.reduced_mass);
+}
+
+// Discs that do not touch stay in the block: with a list so close, leaving them out costs more.
+void System::fill_discs(TouchBlock& c, const State& y, int first, int last) const {
+  point_at(c, disc_disc, first, last);
   pair_up(c, motion(y));
+}
+
+void System::fill_walls(int first, int last, const State& y, Slots* slots) const {
+  Candidates& list = search_.candidates[disc_wall];
+  point_at(wall_block_, disc_wall, first, last);
+  meet_walls(wall_block_, motion(y), parts_.wall.data());
+  if (!slots || !note_near(wall_block_, &list.near_at[first], slots->now)) return;
+  for (int k = first; k < last; ++k) slots->see(list, k, false);
 }
 
 void System::take_springs(TouchBlock& c, const State& y, int chunk) const {
@@ -139,8 +150,8 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
   return best;
 }
 
-// Contacts of a disc or node with something that does not spin: wall, plate, lattice. Its radius, arm and spin stay 0
-// in the block.
+// Other contacts of a disc or node with something that does not spin: wall, plate, lattice. Its radius, arm and spin
+// stay 0 in the block.
 template <ContactKind kind>
 void System::fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const {
   Candidates& list = search_.candidates[kind];
@@ -205,8 +216,6 @@ void System::fill_flat_of(int first, int last, double t, const State& y, Slots* 
 
 void System::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
   switch (kind) {
-    case disc_wall:
-      return fill_flat_of<disc_wall>(first, last, t, y, slots);
     case disc_plate:
       return fill_flat_of<disc_plate>(first, last, t, y, slots);
     case disc_lattice:
@@ -216,6 +225,7 @@ void System::fill_flat(ContactKind kind, int first, int last, double t, const St
     case node_plate:
       return fill_flat_of<node_plate>(first, last, t, y, slots);
     case disc_disc:
+    case disc_wall:
       break;
   }
 }

@@ -23,8 +23,8 @@ struct TouchBlock {
   Lanes<int> law{};
   Lanes<int> load_of_b{};                            // disc-disc: where the load of b is summed: b, or a spill
   Lanes<int> segment{};                              // disc-lattice: index into Parts::border
+  Lanes<int> near{};                                 // pairs and walls: not 0 if closer than NeighbourSearch::margin
   alignas(64) Lanes<double> touching{};              // 1, or 0 and then all forces are 0
-  alignas(64) Lanes<double> distance2{};             // m^2, disc-disc: of the centres
   alignas(64) Lanes<double> share{};                 // disc-lattice: 0 at node a of the segment, 1 at node b
   alignas(64) Lanes<double> nx{}, ny{};              // unit vector from a to b
   alignas(64) Lanes<double> overlap{};               // m
@@ -46,7 +46,7 @@ struct TouchBlock {
 
   void look_at_own() { a = own_a.data(), b = own_b.data(), slot = own_slot.data(); }
 
-  // Leaves only the pairs of discs that touch.
+  // Leaves only the contacts that touch.
   void keep_touching();
 
   double force_x(int k) const { return fx[k]; }
