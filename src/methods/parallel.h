@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-// Calls work(argument, piece, thread) for each piece in [0, pieces), on so many threads; which one takes which piece is
-// left open. work must not throw.
+// Calls work(argument, piece, thread) for each piece in [0, pieces), on so many threads. A thread takes the same piece
+// each time, so that it finds in its cache what it left there. work must not throw.
 void share_out(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument);
 
 // Calls work(piece, thread) for each piece; in their order if there is one thread.
@@ -29,7 +29,7 @@ void in_parallel(int threads, int pieces, Work&& work) {
 // Calls pass(first, last) for ranges that together are [0, count).
 template <class Pass>
 void in_ranges(int threads, std::size_t count, Pass&& pass) {
-  constexpr std::size_t length = 1 << 15;
+  constexpr std::size_t length = 1 << 12;
   if (threads == 1) return pass(std::size_t{0}, count);
   in_parallel(threads, static_cast<int>((count + length - 1) / length), [&](int piece, int /*thread*/) {
     const std::size_t first = length * static_cast<std::size_t>(piece);
