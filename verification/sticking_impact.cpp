@@ -108,33 +108,44 @@ TEST(StickingImpact, ContactPointReturnsWithTheExactRestitution) {
   }
 }
 
+// Two discs that are almost rigid, closing along x, the second one at rest: the line of centres must not turn.
+struct TwoDiscs {
+  static constexpr double nu = 0.3;
+  static constexpr double young = 2e17;  // Pa
+  static constexpr double other = 0.02;  // m, the second radius
+  double mass2 = disc.mass * 4;
+  double reduced = disc.mass * mass2 / (disc.mass + mass2);
+  double time = contact_time(reduced, radius* other / (radius + other), young / (2 * (1 - nu * nu)), closing);
+  double turn = closing * time / (radius + other);      // rad, at most, if the slip is not faster than the approach
+  double start = sideways + spin * radius - 1 * other;  // m/s, slip
+
+  // `apart` in steps.
+  Ran run(int steps, double apart) const {
+    const double step = time / (steps + 0.7);
+    const double distance = apart > 0 ? radius + other + apart * closing * step : (radius + other) * (1 - 1e-15);
+    Scene scene = impact(disc, nu, 0);
+    scene.material[0].young = young;
+    scene.wall.clear();
+    scene.disc = {{{0, 0}, radius, {closing, sideways}, spin, "any"}, {{distance, 0}, other, {0, 0}, -1, "any"}};
+    return run_scene(scene, "rk4", step, 1.05 * time);
+  }
+};
+
 TEST(StickingImpact, TwoUnequalDiscsReturnWithTheSameRestitution) {
   requirement("tangential.sticking");
-  // kappa / m = sum of 1/m + R^2/I whatever the two masses; closing along x, the second one at rest. The line of
-  // centres must not turn: the stiffness is that of an almost rigid body.
-  constexpr int steps = 16000;
-  constexpr double nu = 0.3;
-  constexpr double stiff = 2e17;  // Pa
-  constexpr double other = 0.02;  // m
-  const double mass2 = disc.mass * 4;
-  const double reduced = disc.mass * mass2 / (disc.mass + mass2);
-  const double time = contact_time(reduced, radius * other / (radius + other), stiff / (2 * (1 - nu * nu)), closing);
-  Scene scene = impact(disc, nu, 0);
-  scene.material[0].young = stiff;
-  scene.wall.clear();
-  scene.disc = {{{0, 0}, radius, {closing, sideways}, spin, "any"},
-                {{(radius + other) * (1 - 1e-15), 0}, other, {0, 0}, -1, "any"}};
-  const Ran ran = run_scene(scene, "rk4", time / (steps + 0.7), 1.05 * time);
-  const double start = sideways + spin * radius - 1 * other;
-  const double lost = (1 - restitution(shear_ratio(nu), disc.c)) * start / (1 + 1 / disc.c) * reduced;  // N s
-  const double turn = closing * time / (radius + other);  // rad, at most, if the slip is not faster than the approach
+  // kappa / m = sum of 1/m + R^2/I whatever the two masses.
+  const TwoDiscs two;
+  const double mass2 = two.mass2, other = TwoDiscs::other;
+  const Ran ran = two.run(16000, 0);
+  const double lost = (1 - restitution(shear_ratio(TwoDiscs::nu), disc.c)) * two.start / (1 + 1 / disc.c);  // m/s
+  const double impulse = lost * two.reduced;                                                                // N s
   const Tolerance turning =
-      absolute(2 * closing * turn, "the line of centres turns by up to v t / (R1 + R2); both ways");
+      absolute(2 * closing * two.turn, "the line of centres turns by up to v t / (R1 + R2); both ways");
   const auto& at = ran.system;
-  expect("first disc, vy [m/s]", ran.y[at.vy_of(0)], sideways - lost / disc.mass, turning);
-  expect("second disc, vy [m/s]", ran.y[at.vy_of(1)], lost / mass2, turning);
-  expect("first disc, spin R [m/s]", ran.y[at.spin_of(0)] * radius, spin * radius - 2 * lost / disc.mass, turning);
-  expect("second disc, spin R [m/s]", ran.y[at.spin_of(1)] * other, -other - 2 * lost / mass2, turning);
+  expect("first disc, vy [m/s]", ran.y[at.vy_of(0)], sideways - impulse / disc.mass, turning);
+  expect("second disc, vy [m/s]", ran.y[at.vy_of(1)], impulse / mass2, turning);
+  expect("first disc, spin R [m/s]", ran.y[at.spin_of(0)] * radius, spin * radius - 2 * impulse / disc.mass, turning);
+  expect("second disc, spin R [m/s]", ran.y[at.spin_of(1)] * other, -other - 2 * impulse / mass2, turning);
   double held = 0;  // m
   for (int k = 0; k < at.spring_count(); ++k) held = std::max(held, std::fabs(ran.y[at.first_spring() + k]));
   expect_true("once parted, no spring is stretched", held == 0, "the jump after the parting lets go of all of it");
@@ -144,12 +155,20 @@ TEST(StickingImpact, TouchInsideAStepCostsTheFirstOrder) {
   requirement("tangential.sticking");
   // The slip enters the spring from the first stage that touches: the spring is short by up to a step of slip.
   constexpr int steps = 4000;
+  const Tolerance truncation =
+      absolute(2.8 / steps, "truncation: xi' jumps from 0 to vt at touch, so order 1; 1.4/n measured, doubled");
   for (const double gap : {0.2, 0.5, 0.9}) {
     const Ran ran = run_impact(disc, 0.3, steps, gap);
     expect("e_t, touch at " + std::to_string(gap).substr(0, 3) + " of a step",
            (ran.y[ran.system.vx_of(0)] + radius * ran.y[ran.system.spin_of(0)]) / slip,
-           restitution(shear_ratio(0.3), disc.c),
-           absolute(2.8 / steps, "truncation: xi' jumps from 0 to vt at touch, so order 1; 1.4/n measured, doubled"));
+           restitution(shear_ratio(0.3), disc.c), truncation);
+    const TwoDiscs two;
+    const Ran pair = two.run(steps, gap);
+    const auto& at = pair.system;
+    const double left = pair.y[at.vy_of(0)] - pair.y[at.vy_of(1)] + radius * pair.y[at.spin_of(0)] +
+                        TwoDiscs::other * pair.y[at.spin_of(1)];
+    expect("e_t of two discs, touch at " + std::to_string(gap).substr(0, 3) + " of a step", left / two.start,
+           restitution(shear_ratio(TwoDiscs::nu), disc.c), truncation);
   }
 }
 
