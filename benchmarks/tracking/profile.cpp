@@ -22,23 +22,24 @@ struct Part {
   std::vector<const char*> functions;  // what their names have in common; a file stands for all that is compiled in it
 };
 
-// The first that fits counts. A function of no part (of the C and C++ libraries, mostly) belongs to whoever called it.
+// The first that fits counts. Loops of several widths are named without the width, which may be inlined into them. A
+// function of no part (of the C and C++ libraries, mostly) belongs to whoever called it.
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{
       {"pairs of discs",
-       {"::line_up_", "::pair_up_", "System::fill_discs(", "System::point_at(", "System::look_around("}},
-      {"contact law", {"::evaluate_", "::take_springs_", "System::take_springs("}},
+       {"::line_up", "::pair_up", "System::fill_discs(", "System::point_at(", "System::look_around("}},
+      {"contact law", {"furrow::evaluate", "::take_springs"}},
       {"sums of forces",
-       {"::add_loads_", "::put_by_place_", "System::add_contacts(", "System::empty_loads(", "System::join_chunks("}},
+       {"::add_loads", "::put_by_place", "System::add_contacts(", "System::empty_loads(", "System::join_chunks("}},
       {"walls, plate, border of the lattice",
-       {"System::fill_flat", "System::fill_walls(", "::meet_walls_", "System::nearest_border(", "System::plate_at("}},
+       {"System::fill_flat", "System::fill_walls(", "::meet_walls", "System::nearest_border(", "System::plate_at("}},
       {"links", {"System::add_link_forces(", "System::tear_links(", "System::place_nodes("}},
-      {"neighbour search", {"NeighbourSearch::", "::all_within_"}},
-      {"springs and jump", {"::note_near_", "::put_returned_", "Slots::", "System::return_springs(", "System::jump("}},
-      {"rates", {"System::rhs(", "System::begin_rates(", "System::finish_rates(", "::accelerate_"}},
-      {"ledger", {"::add_powers_", "System::add_to_ledger("}},
+      {"neighbour search", {"NeighbourSearch::", "::all_within"}},
+      {"springs and jump", {"::note_near", "::put_returned", "Slots::", "System::return_springs(", "System::jump("}},
+      {"rates", {"System::rhs(", "System::begin_rates(", "System::finish_rates(", "::accelerate"}},
+      {"ledger", {"::add_powers", "System::add_to_ledger("}},
       {"method",
-       {"Pece::step(", "::extrapolate_", "::add_mean_", "Watch::", "::all_finite_", "::all_near_",
+       {"Pece::step(", "::extrapolate", "::add_mean", "Watch::", "::all_finite", "::all_near",
         "EventSteps::", "furrow::run(", "furrow::jump("}},
       {"observers and files",
        {"run_with_files(", "furrow::observe(", "keep_touching(", "greatest_speed(", "disc_stresses(", "link_forces(",
