@@ -109,12 +109,11 @@ void add_rivals(Report& report, const Json& rivals) {
 
 void add_limit(Report& report) {
   std::vector<std::vector<Json>> rows;
-  double law_over = 0, all_over = 0;
+  double all_over = 0;
   for (const char* width : {"none", "avx2", "avx512"}) {
     const auto times = contact_times(speed_results / (std::string("kernel_") + width + ".json"));
     if (times.size() < 3) continue;
     const double bound = times.at("bound"), law = times.at("law"), whole = times.at("pairs_law_and_sums");
-    law_over = law / bound;
     all_over = whole / bound;
     rows.push_back({width, bound, law, whole, law / bound, whole / bound});
   }
@@ -125,11 +124,10 @@ void add_limit(Report& report) {
       "other operations: a loop over these alone, in the first-level cache, is the machine's limit. Beside it the "
       "kernel's own loops: the contact law, from overlap and velocities to forces and torques, and all of a contact's "
       "work, with the gathering of pairs of discs and their springs before it and the summing of forces behind it, "
-      "which no vector speeds up as much.");
+      "which no vector speeds up as much. The law alone lies below the limit, for the distance, with a root and the "
+      "division, is found while pairs are gathered.");
   report.table("CPU time of a contact in ns, median of nine, by the vectors that the kernel may use.",
                {"vectors", "limit [ns]", "law [ns]", "all [ns]", "law over limit", "all over limit"}, rows);
-  report.claim("With the widest vectors the contact law takes no more than 2.5 times the machine's limit.",
-               law_over <= 2.5);
   report.claim("With the widest vectors all of a contact's work takes no more than 2.5 times the machine's limit.",
                all_over <= 2.5);
 }
