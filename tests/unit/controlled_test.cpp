@@ -74,21 +74,6 @@ TEST(Controlled, DoesNotForgetItsStepOverAShortOne) {
   }
 }
 
-// Two numbers that count and a third that does not.
-template <class Third>
-struct Beside final : OdeSystem {
-  explicit Beside(Third rate) : third(rate) {}
-  std::size_t size() const override { return 3; }
-  std::size_t positions() const override { return 1; }
-  std::size_t controlled() const override { return 2; }
-  void rhs(double t, const State& y, State& dydt) const override {
-    dydt[0] = y[1];
-    dydt[1] = -y[0];
-    dydt[2] = third(t);
-  }
-  Third third;
-};
-
 TEST(Controlled, LedgerTakesNoPartInTheErrorControl) {
   const Beside wild([](double t) { return 1e3 * std::sin(1e6 * t); });
   const Beside tame([](double) { return 0.0; });
@@ -117,24 +102,9 @@ TEST(Controlled, GivesUpOnNaNAndLeavesTheStateAsItWas) {
   }
 }
 
-// x = sin t, which cannot be computed beyond x = 1: long trial steps end there.
-struct Precipice final : OdeSystem {
-  std::size_t size() const override { return 2; }
-  std::size_t positions() const override { return 1; }
-  void rhs(double /*t*/, const State& y, State& dydt) const override {
-    if (y[0] > 1.0001) {
-      ++falls;
-      throw Divergence("beyond the edge");
-    }
-    dydt[0] = y[1];
-    dydt[1] = -y[0];
-  }
-  mutable int falls = 0;
-};
-
 TEST(Controlled, RecoversWhenATrialStepLeavesWhatCanBeComputed) {
   for (const char* name : own) {
-    const Precipice system;
+    const Cliff system(1.0001, true);
     const auto method = make_method(name, tolerances_of(1e-7, 5.0));
     State y{0, 1};
     double t = 0;

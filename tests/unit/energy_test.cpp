@@ -105,13 +105,7 @@ TEST(EnergyLedger, EveryEntryIsAtWorkInTheBusyScene) {
 // The link of a border segment tears while a disc presses on the segment: what the contact held is gone and must be
 // booked.
 TEST(EnergyLedger, BooksTheContactThatATearTakesAway) {
-  Scene scene = empty_scene();
-  scene.disc = {disc({0.6, 0.09}, 0.1)};
-  Lattice l = lattice({0, 0}, 1, 2, 1);
-  l.structural = link_kind(4, 0, 0.5);
-  l.node = {node_setting(0, 1, {0.25, 0})};
-  scene.lattice = {l};
-  System system(scene);
+  System system(on_a_segment_that_tears({disc({0.6, 0.09}, 0.1)}));
   State y = system.initial_state();
   const Energies before = observe(system, 0, y).energy;
   ASSERT_EQ(system.jump(0, y).torn.size(), 1u);

@@ -132,24 +132,13 @@ TEST(OdeintControlled, DoesNotForgetItsStepOverAShortOne) {
   }
 }
 
-// What grows past the error control only where it does not count.
-struct WithLedger final : OdeSystem {
-  std::size_t size() const override { return 3; }
-  std::size_t positions() const override { return 1; }
-  std::size_t controlled() const override { return 2; }
-  void rhs(double t, const State& y, State& dydt) const override {
-    dydt[0] = y[1];
-    dydt[1] = -y[0];
-    dydt[2] = std::sin(1e6 * t);
-  }
-};
-
 TEST(OdeintControlled, LedgerTakesNoPartInTheErrorControl) {
   for (const MethodInfo& info : controlled_methods()) {
     SCOPED_TRACE(info.name);
     const auto method = make_method(info.name, tolerances_of(1e-8));
     State y{1, 0, 0};
-    EXPECT_LT(run_controlled(*method, WithLedger(), y, 10), 1000);
+    const Beside wild([](double t) { return std::sin(1e6 * t); });
+    EXPECT_LT(run_controlled(*method, wild, y, 10), 1000);
   }
 }
 
@@ -175,47 +164,21 @@ TEST(OdeintControlled, GivesUpOnNaNAndLeavesTheStateAsItWas) {
   }
 }
 
-// NaN where the error control does not look.
-struct BrokenLedger final : OdeSystem {
-  std::size_t size() const override { return 3; }
-  std::size_t positions() const override { return 1; }
-  std::size_t controlled() const override { return 2; }
-  void rhs(double /*t*/, const State& y, State& dydt) const override {
-    dydt[0] = y[1];
-    dydt[1] = -y[0];
-    dydt[2] = std::numeric_limits<double>::quiet_NaN();
-  }
-};
-
 TEST(OdeintControlled, GivesUpOnNaNInTheLedgerToo) {
   for (const MethodInfo& info : controlled_methods()) {
     SCOPED_TRACE(info.name);
     const auto method = make_method(info.name, tolerances_of(1e-6));
     State y{1, 2, 0};
-    EXPECT_THROW(method->step(BrokenLedger(), 0, y, 0.1), Divergence);
+    const Beside broken([](double) { return std::numeric_limits<double>::quiet_NaN(); });
+    EXPECT_THROW(method->step(broken, 0, y, 0.1), Divergence);
     EXPECT_EQ(y, (State{1, 2, 0}));
   }
 }
 
-// Cannot be computed beyond x = 1: long trial steps end there, the solution x = 1 - e^-t does not.
-struct Cliff final : OdeSystem {
-  std::size_t size() const override { return 2; }
-  std::size_t positions() const override { return 1; }
-  void rhs(double /*t*/, const State& y, State& dydt) const override {
-    if (y[0] > 1) {
-      ++falls;
-      throw Divergence("beyond the cliff");
-    }
-    dydt[0] = y[1];
-    dydt[1] = -y[1];
-  }
-  mutable int falls = 0;
-};
-
 TEST(OdeintControlled, RecoversWhenATrialStepLeavesWhatCanBeComputed) {
   for (const MethodInfo& info : controlled_methods()) {
     SCOPED_TRACE(info.name);
-    const Cliff system;
+    const Cliff system(1, false);
     const auto method = make_method(info.name, tolerances_of(1e-6, 5.0));
     State y{0, 1};
     double t = 0;

@@ -44,6 +44,40 @@ struct Decay final : OdeSystem {
   }
 };
 
+// An oscillator that counts in the error control, and a third number z' = rate(t) that does not.
+template <class Rate>
+struct Beside final : OdeSystem {
+  explicit Beside(Rate third) : rate(third) {}
+  std::size_t size() const override { return 3; }
+  std::size_t positions() const override { return 1; }
+  std::size_t controlled() const override { return 2; }
+  void rhs(double t, const State& y, State& dydt) const override {
+    dydt[0] = y[1];
+    dydt[1] = -y[0];
+    dydt[2] = rate(t);
+  }
+  Rate rate;
+};
+
+// Cannot be computed beyond x = `edge`: long trial steps end there, the solution from x = 0, v = 1 does not: 1 - e^-t,
+// or sin t if it `swings`.
+struct Cliff final : OdeSystem {
+  Cliff(double beyond, bool oscillator) : edge(beyond), swings(oscillator) {}
+  std::size_t size() const override { return 2; }
+  std::size_t positions() const override { return 1; }
+  void rhs(double /*t*/, const State& y, State& dydt) const override {
+    if (y[0] > edge) {
+      ++falls;
+      throw Divergence("beyond the cliff");
+    }
+    dydt[0] = y[1];
+    dydt[1] = swings ? -y[0] : -y[1];
+  }
+  double edge;
+  bool swings;
+  mutable int falls = 0;
+};
+
 inline Tolerances tolerances_of(double relative, double first_step = 1e-4) {
   Tolerances t;
   t.relative = relative;

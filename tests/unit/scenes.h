@@ -164,4 +164,15 @@ inline Scene busy_scene(int discs = 40) {
   return scene;
 }
 
+// Discs on a segment of a border whose only link is stretched beyond its strength, so that a jump tears it.
+inline Scene on_a_segment_that_tears(std::vector<Disc> discs) {
+  Scene scene = empty_scene();
+  scene.disc = std::move(discs);
+  Lattice l = lattice({0, 0}, 1, 2, 1);
+  l.structural = link_kind(4, 0, 0.5);
+  l.node = {node_setting(0, 1, {0.25, 0})};
+  scene.lattice = {l};
+  return scene;
+}
+
 }  // namespace furrow::test

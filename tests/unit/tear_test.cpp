@@ -88,13 +88,7 @@ TEST(Tear, DoesNotHappenWhileTheSceneIsPrepared) {
 
 // A disc over the middle of a segment, and one over its end: the link tears, the node stays.
 TEST(Tear, LeavesOnlyTheNodesOfABorderSegment) {
-  Scene scene = empty_scene();
-  scene.disc = {disc({0.6, 0.09}, 0.1), disc({0, 0.09}, 0.1)};
-  Lattice l = lattice({0, 0}, 1, 2, 1);
-  l.structural = link_kind(4, 0, 0.5);
-  l.node = {node_setting(0, 1, {0.25, 0})};
-  scene.lattice = {l};
-  System system(scene);
+  System system(on_a_segment_that_tears({disc({0.6, 0.09}, 0.1), disc({0, 0.09}, 0.1)}));
   State y = system.initial_state();
   const State before = rates(system, 0, y);
   EXPECT_GT(before[system.vy_of(0)], 0);
