@@ -105,6 +105,8 @@ struct Settle {
   double hold = 0.5;             // s
   std::optional<double> step{};  // s; left out: time.step
   double limit = 20;             // s: it is an error if the scene has not settled by then
+  // Share of discs and nodes that may be faster: of very many some always are. Left out: none.
+  std::optional<double> loose{};
 };
 
 // A half-plane that discs and nodes stay out of: the line through `point`; `normal` points to where they are.

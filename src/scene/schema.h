@@ -97,6 +97,7 @@ void describe(auto& v, Settle& s) {
   v("hold", s.hold, "s", not_negative);
   v("step", s.step, "s", positive);
   v("limit", s.limit, "s", positive);
+  v("loose", s.loose, "-", Range{0, 1, false, true});
 }
 
 void describe(auto& v, Wall& w) {

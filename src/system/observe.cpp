@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace furrow {
 namespace {
@@ -116,14 +117,17 @@ std::vector<double> link_forces(const System& system, const State& y) {
   return force;
 }
 
-double greatest_speed(const System& system, const State& y) {
-  double greatest = 0;
+double greatest_speed(const System& system, const State& y, double left_out) {
+  std::vector<double> squares;
   for (int i = 0; i < system.parts().bodies(); ++i) {
     const double vx = y[system.vx_of(i)];
     const double vy = y[system.vy_of(i)];
-    greatest = std::max(greatest, vx * vx + vy * vy);
+    squares.push_back(vx * vx + vy * vy);
   }
-  return std::sqrt(greatest);
+  if (squares.empty()) return 0;
+  const auto from_top = squares.begin() + static_cast<std::ptrdiff_t>(left_out * static_cast<double>(squares.size()));
+  std::nth_element(squares.begin(), from_top, squares.end(), std::greater<>());
+  return std::sqrt(*from_top);
 }
 
 double surface_height(const System& system, const State& y) {

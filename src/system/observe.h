@@ -58,8 +58,8 @@ std::vector<Stress> disc_stresses(const System& system, double t, const State& y
 // N, tension positive, by link; 0 for torn ones.
 std::vector<double> link_forces(const System& system, const State& y);
 
-// m/s, of the fastest disc or node.
-double greatest_speed(const System& system, const State& y);
+// m/s, of the fastest disc or node, when the fastest of all, this share of them, are left out.
+double greatest_speed(const System& system, const State& y, double left_out = 0);
 
 // m: mean height of the upper outline of the discs, in strips as wide as the mean disc, over the span of the discs.
 double surface_height(const System& system, const State& y);

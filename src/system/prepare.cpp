@@ -35,7 +35,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   double slow_since = 0;
   const RunEnd end = run(system, *method, result.y, plan, [&](double t, const State& y, const JumpReport&) {
     if (++steps % looks_every != 0) return true;
-    speed = greatest_speed(system, y);
+    speed = greatest_speed(system, y, placed.settle->loose.value_or(0));
     interrupted = progress && !progress(t, speed);
     if (speed > placed.settle->speed) slow_since = t;
     return !interrupted && t - slow_since < std::max(placed.settle->hold, first_look);
@@ -47,9 +47,9 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     throw Divergence(text.str());
   }
   if (end.ending == Ending::finished) {
-    text << "not settled after " << placed.settle->limit << " s: the fastest body moves at " << speed
+    text << "not settled after " << placed.settle->limit << " s: the fastest body" << (placed.settle->loose ? " that is not loose" : "") << " moves at " << speed
          << " m/s, settle.speed is " << placed.settle->speed
-         << " m/s; raise settle.limit or settle.speed, or shorten settle.step";
+         << " m/s; raise settle.limit, settle.speed or settle.loose, or shorten settle.step";
     for (const std::string& warning : step_warnings(system, end.time, result.y, method->info().name, step))
       text << "; " << warning;
     throw Divergence(text.str());

@@ -192,6 +192,16 @@ TEST(GreatestSpeed, OfDiscsAndNodes) {
   EXPECT_EQ(greatest_speed(Seen(scene).system, Seen(scene).y), 13);
 }
 
+// Of ten that move at 1 to 10 m/s a share s leaves out the floor(10 s) fastest.
+TEST(GreatestSpeed, LeavesOutAShareOfTheFastest) {
+  Scene scene = empty_scene();
+  for (int k = 0; k < 10; ++k) scene.disc.push_back(disc({1.0 * k, 0}, 0.1, {1.0 + (7 * k) % 10, 0}));
+  const Seen s(scene);
+  for (const auto& [share, speed] : {std::pair{0.0, 10}, {0.05, 10}, {0.1, 9}, {0.15, 9}, {0.5, 5}, {0.99, 1}})
+    EXPECT_EQ(greatest_speed(s.system, s.y, share), speed) << share;
+  EXPECT_EQ(greatest_speed(Seen(empty_scene()).system, Seen(empty_scene()).y, 0.5), 0);
+}
+
 TEST(SurfaceHeight, IsTheMeanOfTheTopsInStrips) {
   Scene scene = empty_scene();
   EXPECT_EQ(surface_height(Seen(scene).system, Seen(scene).y), 0);

@@ -141,6 +141,20 @@ TEST(Prepare, ABedThatDoesNotSettleInTimeIsAnError) {
   }
 }
 
+// One disc of 21 is on its way up for four seconds; the others are at rest after one.
+TEST(Prepare, ADiscThatMovesKeepsABedFromSettlingUnlessItMayBeLoose) {
+  Scene scene = box();
+  scene.disc = {disc({0, 10}, 0.01, {0, 40})};
+  scene.settle->limit = 2;
+  EXPECT_THROW(prepare(scene), Divergence);
+  scene.settle->loose = 0.04;
+  EXPECT_THROW(prepare(scene), Divergence);
+  scene.settle->loose = 0.05;
+  const Prepared p = prepare(scene);
+  EXPECT_GT(greatest_speed(p.system, p.y), 20);
+  EXPECT_LE(greatest_speed(p.system, p.y, 0.05), 5e-3);
+}
+
 TEST(Prepare, ABedThatBlowsUpIsADivergence) {
   Scene scene = box();
   scene.time.step = 0.05;  // a disc falls past the floor

@@ -18,7 +18,7 @@ TEST(SceneWriter, WritesWhatReadsBackAsTheSameText) {
 TEST(SceneWriter, WritesEveryKindOfPart) {
   Scene s = sound_scene();
   s.title = "quote \" and backslash \\";
-  s.settle.emplace();
+  s.settle = Settle{.step = 1e-5, .loose = 0.1};
   s.contact.pair = {{.materials = {"soft", "hard"}, .friction = 0.1}};
   s.packing = {Packing{.upper_right = {1, 1}, .material = "soft", .seed = 9'000'000'000'000'000'001}};
   s.lattice[0].node = {{.row = 1, .displacement = {-0.0, 5e-324}}, {.row = 2}};
