@@ -1,8 +1,8 @@
 // Between numbers that lie about in memory and vectors of N, one contact a lane: what the compiler does not find by
 // itself. All are inlined into functions for one processor each (methods/wide.h), with N as its registers hold.
 //
-// These are the vectors of the two compilers. Highway, tried on the same loops over pairs with AVX2, takes the same time
-// and gives the same bits, but would be one more library; std::experimental::simd takes 15 % longer, for it has no
+// These are the vectors of the two compilers. Highway, tried on the same loops over pairs with AVX2, takes the same
+// time and gives the same bits, but would be one more library; std::experimental::simd takes 15 % longer, for it has no
 // shuffles to make lanes of rows, and its width is that of the whole file, not of a function.
 #pragma once
 

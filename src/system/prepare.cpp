@@ -47,9 +47,9 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     throw Divergence(text.str());
   }
   if (end.ending == Ending::finished) {
-    text << "not settled after " << placed.settle->limit << " s: the fastest body" << (placed.settle->loose ? " that is not loose" : "") << " moves at " << speed
-         << " m/s, settle.speed is " << placed.settle->speed
-         << " m/s; raise settle.limit, settle.speed or settle.loose, or shorten settle.step";
+    text << "not settled after " << placed.settle->limit << " s: the fastest body"
+         << (placed.settle->loose ? " that is not loose" : "") << " moves at " << speed << " m/s, settle.speed is "
+         << placed.settle->speed << " m/s; raise settle.limit, settle.speed or settle.loose, or shorten settle.step";
     for (const std::string& warning : step_warnings(system, end.time, result.y, method->info().name, step))
       text << "; " << warning;
     throw Divergence(text.str());
