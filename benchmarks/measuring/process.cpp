@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -37,6 +38,7 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 Ran run(const Command& command) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
+  const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error(std::strerror(errno));
   if (child == 0) become(command, pipe_ends[1]);
@@ -53,6 +55,7 @@ Ran run(const Command& command) {
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  ran.real_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ran.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   if (ran.status == could_not_start) throw std::runtime_error("cannot start " + command.words[0]);
   return ran;

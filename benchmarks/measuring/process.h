@@ -10,7 +10,8 @@ namespace furrow::measuring {
 struct Ran {
   int status = 0;          // exit code, or 128 + signal
   double cpu_seconds = 0;  // user and system, its children included
-  std::string output;      // standard output
+  double real_seconds = 0;
+  std::string output;  // standard output
 };
 
 struct Command {

@@ -1,7 +1,7 @@
 // furrow and other programs on the same scene, in turn. First whether they agree: height of the bed at rest, mean push
 // on the plate. Then the CPU time of a step: that of the whole process for all steps, less that for one step.
 //
-// usage: compare DECKS WORK FURROW RESULT ROUNDS    called by scripts/rivals
+// usage: compare DECKS WORK FURROW RESULT ROUNDS    called by scripts/rivals; RESULT: in Google Benchmark's form
 // Exit codes: 0 good; 1 furrow itself failed; 4 input or output. A rival that fails or does not agree is a result.
 #include <algorithm>
 #include <cmath>
@@ -135,13 +135,20 @@ Band band_of(const Bed& bed, const Seen& own, const std::vector<double>& pushes)
   return {own.height, 0.05 * bed.prepared.scene.disc[0].radius, mean, 4 * std::sqrt(square)};
 }
 
-// s of CPU a step; what a process needs to start is measured apart and taken off.
-double step_time(const Bed& bed, const Rival& rival) {
-  const auto cpu = [&](long steps) {
+struct Times {
+  std::vector<double> cpu, real;  // s a step, by round
+};
+
+// What a process needs to start is measured apart and taken off.
+void time_step(const Bed& bed, const Rival& rival, Times& times) {
+  const auto ran = [&](long steps) {
     const Task task{plate_speed, steps, false, cleared(bed.directory / "timed")};
-    return furrow::measuring::run_well(rival.command(bed, task)).cpu_seconds;
+    return furrow::measuring::run_well(rival.command(bed, task));
   };
-  return (cpu(rival.steps) - cpu(1)) / static_cast<double>(rival.steps - 1);
+  const auto all = ran(rival.steps), one = ran(1);
+  const auto steps = static_cast<double>(rival.steps - 1);
+  times.cpu.push_back((all.cpu_seconds - one.cpu_seconds) / steps);
+  times.real.push_back((all.real_seconds - one.real_seconds) / steps);
 }
 
 // Contacts that touch, the mean over the run: what all programs evaluate, if they agree.
@@ -161,13 +168,15 @@ std::string version_of(const std::string& package) {
 
 struct Entry {
   Rival rival;
-  Json json;
-  std::vector<double> times;  // s a step, by round
+  Json json;  // what all of its reports say
+  Times times{};
   bool failed = false;
 };
 
 Entry looked_at(const Bed& bed, const Rival& rival, const Band& band) {
-  Entry entry{rival, {{"name", rival.name}, {"version", version_of(rival.package)}, {"law", rival.law}}, {}};
+  Entry entry{rival, {{"name", rival.name}, {"run_name", rival.name}}};
+  entry.json["label"] = rival.law;
+  entry.json["version"] = version_of(rival.package);
   entry.json["evaluations"] = rival.evaluations;
   try {
     const Seen seen = look(bed, rival);
@@ -175,7 +184,8 @@ Entry looked_at(const Bed& bed, const Rival& rival, const Band& band) {
     entry.json["push"] = rounded(seen.push);
     entry.json["agrees"] = band.holds(seen);
   } catch (const std::exception& failure) {
-    entry.json["failed"] = rival.name + ": " + failure.what();
+    entry.json["error_occurred"] = true;
+    entry.json["error_message"] = failure.what();
     entry.failed = true;
   }
   std::fprintf(stderr, "%s\n", entry.json.dump().c_str());
@@ -188,17 +198,48 @@ Json rounded_list(const std::vector<double>& values) {
   return list;
 }
 
-void conclude(Entry& entry, const std::vector<double>& own, double contacts) {
-  if (entry.failed) return;
-  const Interval time = furrow::measuring::median_interval(entry.times);
-  const Interval ratio = furrow::measuring::median_interval(furrow::measuring::ratios(entry.times, own));
-  entry.json["step_seconds"] = rounded_list(entry.times);
-  entry.json["nanoseconds_a_contact"] = rounded(1e9 * time.middle / contacts / entry.rival.evaluations);
-  entry.json["ratio"] = rounded_list({ratio.low, ratio.middle, ratio.high});
+// Each round, then the median with what the program is and whether it agrees.
+void conclude(Entry& entry, const std::vector<double>& own, double contacts, Json& benchmarks) {
+  Json& json = entry.json;
+  const std::size_t rounds = entry.times.cpu.size();
+  json["repetitions"] = rounds;
+  json["threads"] = 1;
+  if (entry.failed) {
+    json["run_type"] = "iteration";
+    benchmarks.push_back(json);
+    return;
+  }
+  const auto report = [&](const Json& base, double cpu, double real) {
+    Json one = base;
+    one["real_time"] = rounded(1e6 * real);
+    one["cpu_time"] = rounded(1e6 * cpu);
+    one["time_unit"] = "us";
+    one["s/contact"] = rounded(cpu / contacts / entry.rival.evaluations);
+    benchmarks.push_back(one);
+  };
+  for (std::size_t k = 0; k < rounds; ++k) {
+    const Json round{{"name", entry.rival.name},
+                     {"run_name", entry.rival.name},
+                     {"run_type", "iteration"},
+                     {"repetitions", rounds},
+                     {"repetition_index", k},
+                     {"threads", 1},
+                     {"iterations", entry.rival.steps - 1}};
+    report(round, entry.times.cpu[k], entry.times.real[k]);
+  }
+  const Interval time = furrow::measuring::median_interval(entry.times.cpu);
+  const Interval ratio = furrow::measuring::median_interval(furrow::measuring::ratios(entry.times.cpu, own));
+  json["name"] = entry.rival.name + "_median";
+  json["run_type"] = "aggregate";
+  json["aggregate_name"] = "median";
+  json["aggregate_unit"] = "time";
+  json["iterations"] = rounds;
+  json["ratio"] = rounded_list({ratio.low, ratio.middle, ratio.high});
+  report(json, time.middle, furrow::measuring::median_interval(entry.times.real).middle);
   std::printf("%-28s %8.2f us a step   %6.2f [%5.2f, %5.2f]   height %.4f m, push %6.1f N%s\n",
               entry.rival.name.c_str(), 1e6 * time.middle, ratio.middle, ratio.low, ratio.high,
-              entry.json["height"].get<double>(), entry.json["push"].get<double>(),
-              entry.json["agrees"] ? "" : "   does not agree: not ranked");
+              json["height"].get<double>(), json["push"].get<double>(),
+              json["agrees"] ? "" : "   does not agree: not ranked");
 }
 
 int compare(const fs::path& decks, const fs::path& work, const fs::path& program, const fs::path& result, int rounds) {
@@ -213,25 +254,25 @@ int compare(const fs::path& decks, const fs::path& work, const fs::path& program
   for (int round = 0; round < rounds; ++round) {
     std::fprintf(stderr, "round %d of %d\n", round + 1, rounds);
     for (Entry& entry : entries) {
-      if (!entry.failed) entry.times.push_back(step_time(bed, entry.rival));
+      if (!entry.failed) time_step(bed, entry.rival, entry.times);
     }
   }
-  Json json{{"machine", furrow::processor_name()},
-            {"compiler", furrow::build_info().compiler},
-            {"flags", furrow::build_info().flags},
-            {"contacts", rounded(contacts)},
-            {"discs", bed.prepared.system.parts().disc.count()},
-            {"rest_height", rounded(band.height)},
-            {"height_tolerance", band.height_tolerance},
-            {"push", rounded(band.push)},
-            {"push_tolerance", rounded(band.push_tolerance)},
-            {"own_pushes", rounded_list(pushes)},
-            {"programs", Json::array()}};
+  Json json{{"context",
+             {{"machine", furrow::processor_name()},
+              {"compiler", furrow::build_info().compiler},
+              {"flags", furrow::build_info().flags},
+              {"contacts", rounded(contacts)},
+              {"discs", bed.prepared.system.parts().disc.count()},
+              {"rest_height", rounded(band.height)},
+              {"height_tolerance", band.height_tolerance},
+              {"push", rounded(band.push)},
+              {"push_tolerance", rounded(band.push_tolerance)},
+              {"own_pushes", rounded_list(pushes)}}},
+            {"benchmarks", Json::array()}};
   std::printf("CPU time a step, and over that of %s: median and its interval over %d rounds\n", all[0].name.c_str(),
               rounds);
   for (Entry& entry : entries) {
-    conclude(entry, entries[0].times, contacts);
-    json["programs"].push_back(entry.json);
+    conclude(entry, entries[0].times.cpu, contacts, json["benchmarks"]);
   }
   std::printf("To agree: height %.4f +- %.4f m, push %.1f +- %.1f N\n", band.height, band.height_tolerance, band.push,
               band.push_tolerance);
