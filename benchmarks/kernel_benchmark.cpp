@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "methods/wide.h"
+#include "output/machine.h"
 #include "system/kernel.h"
 
 namespace {
@@ -189,6 +190,7 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark(("law/" + width).c_str(), law);
   benchmark::RegisterBenchmark(("pairs_law_and_sums/" + width).c_str(), whole);
   benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("machine", furrow::processor_name());
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "methods/method.h"
+#include "output/machine.h"
 #include "scene/packing.h"
 #include "system/events.h"
 #include "system/prepare.h"
@@ -229,6 +230,7 @@ int main(int argc, char** argv) {
   add("packing", packing, sizes, true);
   add("settling", settling, sizes, true);
   benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("machine", furrow::processor_name());
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -13,20 +13,22 @@
 namespace furrow::studies {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::ifstream opened(const char* name, const char* made_by) {
   std::ifstream file(speed_results / name);
   if (!file) throw FileError("no " + (speed_results / name).string() + " in this directory; " + made_by + " makes it");
   return file;
 }
 
-// Median CPU time of a contact in Google Benchmark's report of one vector width, by what is measured. ns
-std::map<std::string, double> contact_times(const fs::path& file) {
-  std::ifstream stream(file);
+// Google Benchmark's report of the kernel with vectors of one width; null if it has not been measured.
+Json kernel_report(const std::string& width) {
+  std::ifstream file(speed_results / ("kernel_" + width + ".json"));
+  return file ? Json::parse(file) : Json();
+}
+
+// Median CPU time of a contact, by what is measured. ns
+std::map<std::string, double> contact_times(const Json& report) {
   std::map<std::string, double> times;
-  if (!stream) return times;
-  const Json report = Json::parse(stream);
+  if (report.is_null()) return times;
   for (const Json& b : report.at("benchmarks")) {
     const std::string name = b.at("run_name");
     if (b.value("aggregate_name", "") == "median")
@@ -38,10 +40,10 @@ std::map<std::string, double> contact_times(const fs::path& file) {
 // What the arithmetic of a contact takes at least, with the widest vectors that have been measured.
 std::string widest_bound() {
   for (const std::string width : {"avx512", "avx2", "none"}) {
-    const auto times = contact_times(speed_results / ("kernel_" + width + ".json"));
+    const auto times = contact_times(kernel_report(width));
     if (times.contains("bound"))
       return " The arithmetic of a contact takes at least " + in_digits(times.at("bound"), 3) +
-             " ns on this machine (vectors: " + width + "; see below).";
+             " ns there (vectors: " + width + "; see below).";
   }
   return {};
 }
@@ -108,9 +110,12 @@ void add_rivals(Report& report, const Json& rivals) {
 void add_limit(Report& report) {
   std::vector<std::vector<Json>> rows;
   double all_over = 0;
+  std::string machine;
   for (const char* width : {"none", "avx2", "avx512"}) {
-    const auto times = contact_times(speed_results / (std::string("kernel_") + width + ".json"));
+    const Json measured = kernel_report(width);
+    const auto times = contact_times(measured);
     if (times.size() < 3) continue;
+    machine = machine_of(measured);
     const double bound = times.at("bound"), law = times.at("law"), whole = times.at("pairs_law_and_sums");
     all_over = whole / bound;
     rows.push_back({width, bound, law, whole, law / bound, whole / bound});
@@ -124,7 +129,7 @@ void add_limit(Report& report) {
       "work, with the gathering of pairs of discs and their springs before it and the summing of forces behind it, "
       "which no vector speeds up as much. The law alone lies below the limit, for the distance, with a root and the "
       "division, is found while pairs are gathered.");
-  report.table("CPU time of a contact in ns, median of nine, by the vectors that the kernel may use.",
+  report.table("CPU time of a contact in ns, median of nine, by the vectors that the kernel may use; " + machine,
                {"vectors", "limit [ns]", "law [ns]", "all [ns]", "law over limit", "all over limit"}, rows);
   report.claim("With the widest vectors all of a contact's work takes no more than 2.5 times the machine's limit.",
                all_over <= 2.5);

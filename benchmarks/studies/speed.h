@@ -14,6 +14,9 @@ void add_profile(Report& report);
 void add_scale(Report& report);
 void add_tracking(Report& report);
 
+// Of a report of Google Benchmark: the processor it was measured on.
+std::string machine_of(const Json& google);
+
 std::string in_digits(double value, int digits);
 
 // Of least, middle and most: "1.6 [1.56, 1.72]".

@@ -21,6 +21,8 @@ std::string in_digits(double value, int digits) {
   return text;
 }
 
+std::string machine_of(const Json& google) { return google.at("context").value("machine", "an unnamed machine"); }
+
 std::string spread(const Json& three) {
   const auto part = [&](int k) { return in_digits(three.at(k).get<double>(), 3); };
   return part(1) + " [" + part(0) + ", " + part(2) + "]";
@@ -103,11 +105,14 @@ Json gain_of(const std::map<std::string, Json>& entries, const std::string& name
 
 void add_scale(Report& report) {
   std::vector<std::vector<Json>> times, makings;
+  std::string timed_on, made_on;
   double least = 0, most = 0;  // ns a disc
   for (const char* discs : {"2300", "23000", "230000", "1000000"}) {
-    const auto timed = entries_of(read_if_there(std::string("scale_") + discs + ".json"));
+    const Json timing = read_if_there(std::string("scale_") + discs + ".json");
+    const auto timed = entries_of(timing);
     const auto random = entries_of(read_if_there(std::string("scale_random_") + discs + ".json"));
     if (!timed.empty()) {
+      timed_on = machine_of(timing);
       const Json evaluation = value_of(timed, "evaluation", "s/disc", 1e9);
       const Json step = value_of(timed, "step", "s/disc", 1e9);
       times.push_back({value_of(timed, "evaluation", "discs", 1), evaluation,
@@ -120,8 +125,10 @@ void add_scale(Report& report) {
         if (least == 0) least = most;
       }
     }
-    const auto made = entries_of(read_if_there(std::string("scale_making_") + discs + ".json"));
+    const Json making = read_if_there(std::string("scale_making_") + discs + ".json");
+    const auto made = entries_of(making);
     if (made.empty()) continue;
+    made_on = machine_of(making);
     const auto settling = [&](const char* key, double scale) { return value_of(made, "settling by two", key, scale); };
     makings.push_back({value_of(made, "packing", "discs", 1), value_of(made, "packing", "cpu_time", 1e-3),
                        settling("cpu_time", 1e-3), settling("real_time", 1e-3), settling("model_seconds", 1),
@@ -135,14 +142,15 @@ void add_scale(Report& report) {
       "is one of the paper's method, with two evaluations and the jump map. Memory is the most that "
       "the process has held, over its discs: for few discs it is that of the program. Numbered at random: "
       "without regard to where they lie; the program numbers packings of more than 4,096 discs by place.");
-  report.table("CPU time of a disc [ns] and its memory, median of several runs",
+  report.table("CPU time of a disc [ns] and its memory, median of several runs on " + timed_on,
                {"discs", "evaluation", "numbered at random", "with a new neighbour list", "step", "steps a second",
                 "two threads: evaluation, times as fast", "step, times as fast", "memory [bytes]"},
                times);
   if (!makings.empty()) {
     report.table(
         "Until the program has made the bed by itself: packed at random on one thread, then settled on two until for "
-        "0.1 s no more than one disc in a thousand moved faster than 50 mm/s",
+        "0.1 s no more than one disc in a thousand moved faster than 50 mm/s; " +
+            made_on,
         {"discs", "packing, CPU [s]", "settling, CPU [s]", "by the clock [s]", "settled after [s of the model]",
          "steps"},
         makings);

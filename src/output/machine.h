@@ -3,16 +3,23 @@
 
 #include <ctime>
 #include <fstream>
+#include <map>
 #include <string>
 
 namespace furrow {
 
+// "AMD EPYC (family 25, model 17)": virtual machines hide all but the family's brand in the name.
 inline std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  std::map<std::string, std::string> first;  // of the first processor, by key
+  for (std::string line; std::getline(info, line) && !line.empty();) {
+    const auto colon = line.find(':');
+    if (colon == std::string::npos || colon + 2 > line.size()) continue;
+    first[line.substr(0, line.find_last_not_of(" \t", colon - 1) + 1)] = line.substr(colon + 2);
   }
-  return "unknown";
+  if (!first.contains("model name")) return "unknown";
+  if (!first.contains("cpu family") || !first.contains("model")) return first["model name"];
+  return first["model name"] + " (family " + first["cpu family"] + ", model " + first["model"] + ")";
 }
 
 inline double seconds(clockid_t clock) {
