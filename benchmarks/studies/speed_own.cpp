@@ -21,7 +21,7 @@ std::string in_digits(double value, int digits) {
   return text;
 }
 
-std::string machine_of(const Json& google) { return google.at("context").value("machine", "an unnamed machine"); }
+std::string machine_of(const Json& google) { return google.at("context").value("machine", "a machine that was not recorded"); }
 
 std::string spread(const Json& three) {
   const auto part = [&](int k) { return in_digits(three.at(k).get<double>(), 3); };
