@@ -14,7 +14,7 @@ void add_profile(Report& report);
 void add_scale(Report& report);
 void add_tracking(Report& report);
 
-// Of a report of Google Benchmark: the processor it was measured on.
+// Of a report of Google Benchmark: the processor it was measured on, or its clock where the report has no name.
 std::string machine_of(const Json& google);
 
 std::string in_digits(double value, int digits);

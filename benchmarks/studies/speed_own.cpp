@@ -21,7 +21,11 @@ std::string in_digits(double value, int digits) {
   return text;
 }
 
-std::string machine_of(const Json& google) { return google.at("context").value("machine", "a machine that was not recorded"); }
+std::string machine_of(const Json& google) {
+  const Json& context = google.at("context");
+  if (context.contains("machine")) return context["machine"];
+  return context.at("num_cpus").dump() + " processors of " + context.at("mhz_per_cpu").dump() + " MHz";
+}
 
 std::string spread(const Json& three) {
   const auto part = [&](int k) { return in_digits(three.at(k).get<double>(), 3); };
