@@ -13,10 +13,14 @@ set xrange [-0.4:commits - 0.6]
 set yrange [-reach:reach]
 set grid ytics lc rgb '#e2e2e2' lw 0.6 dt 1
 unset key
+set xtics nomirror out scale 0.5 ('' 0, '' commits - 1)
 set ytics apart nomirror out scale 0.5 format '%+g %%'
 do for [k = 0:panels - 1] {
   set title value(sprintf('kernel_%d', k)) offset 0, -0.9 font ',12'
-  if (k >= panels - columns) { set xtics nomirror out scale 0.5 (first_commit 0, last_commit commits - 1) } else { set xtics nomirror out scale 0.5 ('' 0, '' commits - 1) }
+  if (k >= panels - columns) {
+    set label 1 first_commit at graph 0, graph -0.19 left font ',11'
+    set label 2 last_commit at graph 1, graph -0.19 right font ',11'
+  }
   if (k % columns == 0) { set format y '%+g %%' } else { set format y '' }
   plot 2 with lines lc rgb '#d55e00' lw 1 dt 2, \
        $points using (column(1) == k ? column(2) : NaN):3 with linespoints lc rgb '#0072b2' lw 1.6 pt 7 ps 0.7
