@@ -179,7 +179,7 @@ Work settling(const fs::path& beds) {
 // ---- whole scenes ----
 
 // As `furrow run` does it, files included, from the nearly settled bed.
-Work scene_run(Scene scene, const fs::path& directory) {
+Work scene_run(const Scene& scene, const fs::path& directory) {
   const auto hash = std::make_shared<std::uint64_t>(0);
   const auto work = [=](long steps) {
     RunRequest request{.scene_file = "profile", .scene = scene, .directory = directory};

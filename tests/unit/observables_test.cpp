@@ -90,7 +90,7 @@ TEST(Observables, NotANumberIsNotSkipped) {
 TEST(Observables, GrowthOfAnExponentialIsItsFactor) {
   RunDirectory directory;
   std::vector<std::pair<double, double>> rows;
-  for (int mm = 0; mm <= 400; ++mm) rows.push_back({-100 * std::pow(2.0, mm / 100.0), 0});
+  for (int mm = 0; mm <= 400; ++mm) rows.emplace_back(-100 * std::pow(2.0, mm / 100.0), 0);
   directory.force(rows);
   EXPECT_NEAR(measure(read(directory), "growth_of_maxima").value, 2, 1e-6) << "six digits are in the file";
   EXPECT_NEAR(measure(read(directory), "exponential_share").value, 1, 1e-6);

@@ -54,7 +54,8 @@ Scene large_bed(const std::vector<int>& order, int first_place = 0, int places =
   scene.disc.resize(order.size());
   for (std::size_t place = 0; place < order.size(); ++place) {
     const double x = 0.0198 * static_cast<double>(place % 100);
-    const double y = 0.0098 + 0.0198 * static_cast<double>(place / 100);
+    const auto row = place / 100;
+    const double y = 0.0098 + 0.0198 * static_cast<double>(row);
     scene.disc[order[place]] =
         disc({x, y}, between(0.0095, 0.0105), {between(-1, 1), between(-1, 1)}, between(-50, 50));
   }

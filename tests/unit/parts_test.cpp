@@ -151,7 +151,8 @@ TEST(Nodes, LieRowByRowFromTheOrigin) {
     EXPECT_EQ(parts.node.row[n], n / 2);
     EXPECT_EQ(parts.node.column[n], n % 2);
     EXPECT_EQ(parts.node.x[n], 1 + 0.5 * (n % 2));
-    EXPECT_EQ(parts.node.y[n], 2 + 0.5 * (n / 2));
+    const int row = n / 2;
+    EXPECT_EQ(parts.node.y[n], 2 + 0.5 * row);
   }
 }
 
