@@ -14,8 +14,9 @@ void add_profile(Report& report);
 void add_scale(Report& report);
 void add_tracking(Report& report);
 
-// Of a report of Google Benchmark: the processor it was measured on, or its clock where the report has no name.
-std::string machine_of(const Json& google);
+// Adds where a report of Google Benchmark was measured, if it is not there yet: the rows of a table may be of several
+// machines.
+void name_also(std::string& machines, const Json& google);
 
 std::string in_digits(double value, int digits);
 

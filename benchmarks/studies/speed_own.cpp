@@ -21,10 +21,20 @@ std::string in_digits(double value, int digits) {
   return text;
 }
 
+namespace {
+
+// The processor it was measured on, or its clock where the report has no name.
 std::string machine_of(const Json& google) {
   const Json& context = google.at("context");
   if (context.contains("machine")) return context["machine"];
   return context.at("num_cpus").dump() + " processors of " + context.at("mhz_per_cpu").dump() + " MHz";
+}
+
+}  // namespace
+
+void name_also(std::string& machines, const Json& google) {
+  const std::string machine = machine_of(google);
+  if (machines.find(machine) == std::string::npos) machines += (machines.empty() ? "" : ", ") + machine;
 }
 
 std::string spread(const Json& three) {
@@ -116,7 +126,7 @@ void add_scale(Report& report) {
     const auto timed = entries_of(timing);
     const auto random = entries_of(read_if_there(std::string("scale_random_") + discs + ".json"));
     if (!timed.empty()) {
-      timed_on = machine_of(timing);
+      name_also(timed_on, timing);
       const Json evaluation = value_of(timed, "evaluation", "s/disc", 1e9);
       const Json step = value_of(timed, "step", "s/disc", 1e9);
       times.push_back({value_of(timed, "evaluation", "discs", 1), evaluation,
@@ -132,7 +142,7 @@ void add_scale(Report& report) {
     const Json making = read_if_there(std::string("scale_making_") + discs + ".json");
     const auto made = entries_of(making);
     if (made.empty()) continue;
-    made_on = machine_of(making);
+    name_also(made_on, making);
     const auto settling = [&](const char* key, double scale) { return value_of(made, "settling by two", key, scale); };
     makings.push_back({value_of(made, "packing", "discs", 1), value_of(made, "packing", "cpu_time", 1e-3),
                        settling("cpu_time", 1e-3), settling("real_time", 1e-3), settling("model_seconds", 1),

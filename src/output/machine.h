@@ -3,14 +3,15 @@
 
 #include <ctime>
 #include <fstream>
+#include <istream>
 #include <map>
 #include <string>
 
 namespace furrow {
 
-// "AMD EPYC (family 25, model 17)": virtual machines hide all but the family's brand in the name.
-inline std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
+// "AMD EPYC (family 25, model 17)": virtual machines hide all but the brand in the name. Of a text like /proc/cpuinfo;
+// "unknown" if it names no processor.
+inline std::string processor_name(std::istream& info) {
   std::map<std::string, std::string> first;  // of the first processor, by key
   for (std::string line; std::getline(info, line) && !line.empty();) {
     const auto colon = line.find(':');
@@ -20,6 +21,10 @@ inline std::string processor_name() {
   if (!first.contains("model name")) return "unknown";
   if (!first.contains("cpu family") || !first.contains("model")) return first["model name"];
   return first["model name"] + " (family " + first["cpu family"] + ", model " + first["model"] + ")";
+}
+inline std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  return processor_name(info);
 }
 
 inline double seconds(clockid_t clock) {
