@@ -45,6 +45,16 @@ bool moved(const double* x, const double* y, const std::vector<double>& x0, cons
   return any;
 }
 
+// Border segments of the lattice that are closer to the disc than `reach`, in their order.
+template <class Visit>
+void each_near_segment(const Parts& parts, const Placement& now, int disc, int lattice, double reach, Visit visit) {
+  const double within = parts.disc.radius[disc] + reach;
+  for (int s = 0; s < parts.border.count(); ++s) {
+    if (parts.border.lattice[s] != lattice) continue;
+    if (segment_distance(parts, now, disc, s, 0, false).distance2 < within * within) visit(s);
+  }
+}
+
 }  // namespace
 
 NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
@@ -105,23 +115,14 @@ void NeighbourSearch::near_flat(const Parts& parts, const Placement& now, Contac
     if (!of_disc(kind) && parts.node.body[a] < 0)
       continue;  // fixed node and plate or wall: neither of them can give way
     for (int b = 0; b < others; ++b) {
-      const bool touches = kind == disc_lattice ? !near_segments(parts, now, a, b, reach).empty()
-                                                : flat_gap(parts, now, kind, a, b).gap < reach;
+      bool touches = false;
+      if (kind == disc_lattice)
+        each_near_segment(parts, now, a, b, reach, [&](int /*segment*/) { touches = true; });
+      else
+        touches = flat_gap(parts, now, kind, a, b).gap < reach;
       if (touches) near.push_back({a, b});
     }
   }
-}
-
-// Border segments of lattice `lattice` closer to the disc than `reach`.
-std::vector<int> NeighbourSearch::near_segments(const Parts& parts, const Placement& now, int disc, int lattice,
-                                                double reach) const {
-  std::vector<int> near;
-  const double within = parts.disc.radius[disc] + reach;
-  for (int s = 0; s < parts.border.count(); ++s) {
-    if (parts.border.lattice[s] != lattice) continue;
-    if (segment_distance(parts, now, disc, s, 0, false).distance2 < within * within) near.push_back(s);
-  }
-  return near;
 }
 
 // The pairs that have a disc of [first, last) as the first.
@@ -257,9 +258,8 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {
   list.first_segment.assign(1, 0);
   list.segment.clear();
   for (int k = 0; k < list.count(); ++k) {
-    const std::vector<int> near =
-        near_segments(parts, now, list.a[k], list.b[k], brute_force_ ? infinity : margin + skin_);
-    list.segment.insert(list.segment.end(), near.begin(), near.end());
+    each_near_segment(parts, now, list.a[k], list.b[k], brute_force_ ? infinity : margin + skin_,
+                      [&](int segment) { list.segment.push_back(segment); });
     list.first_segment.push_back(static_cast<int>(list.segment.size()));
   }
 }

@@ -88,7 +88,6 @@ class NeighbourSearch {
   void check_finite(const Parts& parts, const Placement& now) const;
   void renew(const Parts& parts, const Placement& now, ContactKind kind, int threads);
   void near_flat(const Parts& parts, const Placement& now, ContactKind kind, std::vector<Pair>& near) const;
-  std::vector<int> near_segments(const Parts& parts, const Placement& now, int disc, int lattice, double reach) const;
   void near_discs(const Parts& parts, const Placement& now, int first, int last, std::vector<Pair>& near) const;
   static void keep_held(const Candidates& old, int first, int last, Piece& piece);
   void write_out(const Parts& parts, ContactKind kind, const Piece& piece);
