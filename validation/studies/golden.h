@@ -18,9 +18,10 @@ struct GoldenOptions {
   std::function<void(const std::string&)> say{};   // a line for each run
 };
 
-// Runs the scenes and compares them with the goldens, or makes the goldens anew. Returns how many runs differ; each is
-// told with the first checkpoint at which its bits differ and by how much its numbers moved. A golden that is missing
-// or malformed counts as different. Throws std::invalid_argument for a remake without a reason, Interrupted, FileError.
+// Runs the scenes and compares them with the goldens, or makes the goldens anew. Returns how many runs differ. Of each
+// it says what was compared, or what differs first and when. A golden that is missing, malformed, of another scene or
+// other settings counts as different. Throws std::invalid_argument for a remake without a reason, Interrupted,
+// FileError if there is no directory of goldens.
 int check_goldens(const GoldenOptions& options);
 
 }  // namespace furrow::studies

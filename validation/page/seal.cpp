@@ -1,0 +1,51 @@
+#include "page/seal.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "output/files.h"
+
+namespace furrow {
+namespace {
+
+using nlohmann::ordered_json;
+
+// 64-bit FNV-1a.
+std::string hash_of(const std::string& text) {
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(sum));
+  return digits.data();
+}
+
+std::string seal_of(ordered_json kept) {
+  kept.erase("seal");
+  return hash_of(kept.dump());
+}
+
+}  // namespace
+
+void seal(ordered_json& kept) { kept["seal"] = seal_of(kept); }
+
+std::string broken_seal(const ordered_json& kept) {
+  if (!kept.is_object() || kept.empty()) return "is empty or no result";
+  const auto found = kept.find("seal");
+  if (found == kept.end() || !found->is_string()) return "bears no seal, so nothing shows that it is whole";
+  if (*found != seal_of(kept)) return "contradicts its seal: it was changed or cut after it was written";
+  return {};
+}
+
+ordered_json read_sealed(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) throw FileError("cannot read " + file.string());
+  ordered_json kept = ordered_json::parse(stream, nullptr, false);
+  if (kept.is_discarded()) throw FileError(file.string() + ": is no JSON, or cut short");
+  if (const std::string why = broken_seal(kept); !why.empty()) throw FileError(file.string() + ": " + why);
+  return kept;
+}
+
+}  // namespace furrow
