@@ -20,7 +20,7 @@ std::string name_or_index(const std::string& name, std::size_t index) {
 
 }  // namespace
 
-Series::Series(const fs::path& directory, const Scene& scene)
+Series::Series(const std::filesystem::path& directory, const Scene& scene)
     : scene_(scene),
       force_(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]"),
       energy_(directory / "energy.csv",
