@@ -15,20 +15,21 @@ ROOMS = {  # what src/ is divided into; the first ones get most of the draws
     "physics": ["src/physics/"],
     "system": ["src/"],
 }
-WELL_TRIED = list(ROOMS)[:7]  # each gets an equal share of nine tenths
+WELL_TRIED = list(ROOMS)[:7]  # each gets an equal share of four fifths
+GOALS = {"raw": 0.88, "adjusted": 0.95, "adjusted, of each room": 0.90}
 
 
 def room_of(file):
     return next(room for room, begins in ROOMS.items() if any(file.startswith(begin) for begin in begins))
 
 
+def evenly(count, rooms):
+    return {room: count // len(rooms) + (k < count % len(rooms)) for k, room in enumerate(rooms)}
+
+
 def quotas(count):
-    few = [room for room in ROOMS if room not in WELL_TRIED]
-    each = round(0.8 * count / len(WELL_TRIED))
-    rest = count - each * len(WELL_TRIED)
-    wanted = {room: each for room in WELL_TRIED}
-    wanted.update({room: rest // len(few) + (k < rest % len(few)) for k, room in enumerate(few)})
-    return wanted
+    most = round(0.8 * count)
+    return evenly(most, WELL_TRIED) | evenly(count - most, [room for room in ROOMS if room not in WELL_TRIED])
 
 
 def wilson(hits, tried, z=1.96):
@@ -57,6 +58,17 @@ def summary(mutants):
         "rooms": [row(room, [m for m in mutants if m["room"] == room]) for room in ROOMS],
         "kinds": [row(kind, [m for m in mutants if m["kind"] == kind]) for kind in kinds],
     }
+
+
+def missed_goals(found):
+    """One line for each share that is below its goal."""
+    asked = [("all", "raw", found["all"], GOALS["raw"]), ("all", "adjusted", found["all"], GOALS["adjusted"])]
+    asked += [(one["name"], "adjusted", one, GOALS["adjusted, of each room"]) for one in found["rooms"]]
+    return [
+        f"below the goal: {name}, {which}: {100 * one[which]['share']:.1f} % of {one['tried']}, wanted {100 * goal:.0f} %"
+        for name, which, one, goal in asked
+        if one[which]["share"] is not None and one[which]["share"] < goal
+    ]
 
 
 def table(found):
