@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "methods/method.h"
+
 namespace furrow {
 namespace {
 
@@ -22,6 +24,7 @@ std::string name_or_index(const std::string& name, std::size_t index) {
 
 Series::Series(const std::filesystem::path& directory, const Scene& scene)
     : scene_(scene),
+      slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
       force_(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]"),
       energy_(directory / "energy.csv",
               "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
@@ -34,13 +37,12 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene)
 
 void Series::see(const System& system, double t, const State& y, const JumpReport& report) {
   for (const Tear& tear : report.torn) add_tear(system, tear);
-  const double slack = 0.5 * scene_.time.step;
-  if (t >= static_cast<double>(rows_) * scene_.output.interval - slack) {
+  if (t >= static_cast<double>(rows_) * scene_.output.interval - slack_) {
     add_rows(system, t, y);
-    rows_ = static_cast<long>(std::floor((t + slack) / scene_.output.interval)) + 1;
+    rows_ = std::max(rows_, static_cast<long>(std::floor((t + slack_) / scene_.output.interval))) + 1;
   }
   const std::vector<double>& times = scene_.output.frames;
-  while (pictures_ < times.size() && t >= times[pictures_] - slack) {
+  while (pictures_ < times.size() && t >= times[pictures_] - slack_) {
     frames_.add(system, t, displacement(system, t), y);
     ++pictures_;
   }

@@ -17,8 +17,8 @@ class Series {
   // outlive the series, in `directory`.
   Series(const std::filesystem::path& directory, const Scene& scene);
 
-  // Rows and frames that are due; a fixed step takes the accepted time nearest to what was asked for. Throws Divergence
-  // if the method has made the energy.
+  // Rows and frames that are due; a fixed step takes the accepted time nearest to what was asked for, a method that
+  // chooses its steps has ended one there. Throws Divergence if the method has made the energy.
   void see(const System& system, double t, const State& y, const JumpReport& report);
 
   // The next time at which something is due, for methods that choose their steps.
@@ -35,6 +35,7 @@ class Series {
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;
+  const double slack_;  // s
   OutputFile force_, energy_, motion_, events_;
   Frames frames_;
   Energies start_;
