@@ -64,7 +64,7 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
       } else {
         node(c.a[k], 1);
       }
-      if (c.kind == disc_disc) disc(c.b[k], c.arm_b[k]);
+      if (c.kind == disc_disc) disc(c.b[k], -c.arm_b[k]);  // its surface moves against the tangent when it spins
       if (c.kind == disc_lattice) {
         node(parts.border.a[c.segment[k]], 1 - c.share[k]);
         node(parts.border.b[c.segment[k]], c.share[k]);
@@ -89,7 +89,8 @@ void add_links(const System& system, const State& y, std::vector<Body>& bodies) 
       Body& body = bodies[parts.node.body[n]];
       const Matrix direction = along * along.transpose() / parts.node.mass[n];
       body.stiffness += parts.link.stiffness[k] * direction;
-      body.damping += parts.link.damping[k] * direction;
+      const Matrix whole = Vector(1, 1, 0).asDiagonal();
+      body.damping += parts.link.damping[k] * (parts.link.axial[k] != 0 ? direction : whole / parts.node.mass[n]);
     }
   }
 }
