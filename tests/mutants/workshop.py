@@ -12,12 +12,13 @@ OUT_OF_STATE = re.compile(r'"(\w*cpu_seconds|wall_seconds|commit)"')
 GTEST = ["--gtest_brief=1", "--gtest_fail_fast"]
 # In the order of how soon they notice. What is built, what is run; the binaries whose bits decide whether it must run.
 SUITES = [
-    ("unit", ["unit_tests"], ["tests/unit_tests", *GTEST], ["tests/unit_tests"]),
-    ("command line", ["furrow_program", "command_line_tests"], ["tests/command_line_tests", *GTEST],
+    ("unit", ["unit_tests"], ["{build}/tests/unit_tests", *GTEST], ["tests/unit_tests"]),
+    ("unit, no vectors", ["unit_tests"], ["FURROW_VECTORS=none", "{build}/tests/unit_tests", *GTEST], ["tests/unit_tests"]),
+    ("command line", ["furrow_program", "command_line_tests"], ["{build}/tests/command_line_tests", *GTEST],
      ["furrow", "tests/command_line_tests"]),
-    ("determinism", ["state_hashes"], ["tests/determinism/state_hashes", "{tree}/validation/scenes"],
+    ("determinism", ["state_hashes"], ["{build}/tests/determinism/state_hashes", "{tree}/validation/scenes"],
      ["tests/determinism/state_hashes"]),
-    ("verification", ["verification_tests"], ["verification/verification_tests", *GTEST], ["verification/verification_tests"]),
+    ("verification", ["verification_tests"], ["{build}/verification/verification_tests", *GTEST], ["verification/verification_tests"]),
 ]  # fmt: skip
 # Scenes whose files are compared where no test noticed, and until when they run, s.
 SCENES = {"scenario_1": 1.2, "scenario_2": 0.2, "scenario_3": 0.2, "single_spring": 1, "disc_on_wall": 0.1, "cantilever": 1}
@@ -79,11 +80,11 @@ class Workshop:
         """Exit code and output; whoever takes longer than the limits, or more than 4 GB, is killed."""
         shutil.rmtree(self.tmp, ignore_errors=True)
         self.tmp.mkdir(parents=True)
-        words = [word.format(tree=self.tree) for word in command]
+        words = [word.format(tree=self.tree, build=self.build_dir) for word in command]
         box = ["bwrap", "--ro-bind", "/", "/", "--bind", self.home, self.home, "--dev", "/dev", "--proc", "/proc",
-               "--unshare-pid", "--die-with-parent", "--chdir", self.tmp,
+               "--unshare-pid", "--die-with-parent",
                "prlimit", f"--cpu={round(cpu)}", "--as=4000000000", "--fsize=1000000000", "--core=0",
-               self.build_dir / words[0], *words[1:]]  # fmt: skip
+               "env", "-C", self.tmp, *words]  # fmt: skip
         try:
             done = subprocess.run([str(word) for word in box], env=self.environment, capture_output=True, text=True,
                                   timeout=wall, errors="replace", stdin=subprocess.DEVNULL)  # fmt: skip
@@ -96,15 +97,15 @@ class Workshop:
         found = {}
         for name, until in SCENES.items():
             scene = str(self.tree / "validation/scenes" / f"{name}.toml")
-            _, text = self.run(["furrow", "explain", scene], 60, 600)
+            _, text = self.run(["{build}/furrow", "explain", scene], 60, 600)
             found[f"explain {name}"] = hashlib.sha256(text.encode()).hexdigest()
-            self.run(["furrow", "run", scene, "--until", str(until), "--out", "out"], 120, 1200)
+            self.run(["{build}/furrow", "run", scene, "--until", str(until), "--out", "out"], 120, 1200)
             for file in sorted((self.tmp / "out").rglob("*")):
                 if file.is_file():
                     lines = [line for line in file.read_text(errors="replace").split("\n") if not OUT_OF_STATE.search(line)]
                     found[f"{name}/{file.relative_to(self.tmp / 'out')}"] = hashlib.sha256("\n".join(lines).encode()).hexdigest()
         for command in (["methods"], ["check", str(self.tree / "validation/scenes/scenario_3.toml")]):
-            found["furrow " + command[0]] = hashlib.sha256(self.run(["furrow", *command], 60, 600)[1].encode()).hexdigest()
+            found["furrow " + command[0]] = hashlib.sha256(self.run(["{build}/furrow", *command], 60, 600)[1].encode()).hexdigest()
         return found
 
     def try_edit(self, edit):
