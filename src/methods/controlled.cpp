@@ -24,9 +24,10 @@ double ControlledMethod::scaled_error(const OdeSystem& system, const State& y, d
   for (std::size_t i = 0; i < system.controlled(); ++i) {
     const double scale = tolerances_.absolute + tolerances_.relative * (std::fabs(y[i]) + h * std::fabs(now_[i]));
     const double error = std::fabs(error_[i]) / scale;
-    if (!(error <= greatest)) greatest = error;  // a NaN stays
+    if (!(error < infinity)) return infinity;  // nor a number
+    greatest = std::max(greatest, error);
   }
-  return greatest < infinity ? greatest : infinity;
+  return greatest;
 }
 
 // The next step after an accepted one. `cut`: it ended at a stop, which says nothing against the longer one proposed.
