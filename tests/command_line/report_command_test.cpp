@@ -1,0 +1,161 @@
+// The commands that judge, from outside: `report` on three short scenes, `methods`, `study`.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "methods/method.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Judging : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "furrow_judging_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    directory_ = pattern;
+    fs::create_directory(directory_ / "scenes");
+    for (const char* number : {"1", "2", "3"}) write_scene(number, "1e-4");
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  // The paper's scene, with 20 discs and until 50 ms.
+  void write_scene(const std::string& number, const std::string& step, const std::string& end = "0.05") const {
+    std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_" + number + ".toml");
+    for (const auto& [old, now] : {std::pair<std::string, std::string>{"\nend = [^\n]*", "\nend = " + end},
+                                   {"\nstep = 1e-4", "\nstep = " + step},
+                                   {"\ninterval = 1e-3", "\ninterval = " + (step == "1e-4" ? "1e-3" : step)},
+                                   {"count = 230", "count = 20"},
+                                   {"working_depth = 0.04", "working_depth = 0.005"},
+                                   {"\nframes = \\[[^\\]]*\\]", "\nframes = [0.0]"}})
+      text = std::regex_replace(text, std::regex(old), now);
+    std::ofstream(directory_ / "scenes" / ("scenario_" + number + ".toml")) << text;
+  }
+
+  static std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+
+  int furrow(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + directory_.string() + "' && '" FURROW_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string out() const { return text_of(directory_ / "out.txt"); }
+  std::string err() const { return text_of(directory_ / "err.txt"); }
+
+  void write_checks(bool good) const {
+    const nlohmann::json check{{"test", "A.B"},       {"name", "a number"},  {"requirement", "x.y"},
+                               {"want", 1},           {"got", good ? 1 : 2}, {"error", good ? 0 : 1},
+                               {"tolerance", 0.5},    {"kind", "absolute"},  {"of_limit", good ? 0 : 2},
+                               {"reason", "because"}, {"sentence", "it is"}, {"file", "here"},
+                               {"good", good}};
+    std::ofstream(directory_ / "checks.json") << nlohmann::json::array({check});
+  }
+
+  fs::path directory_;
+};
+
+TEST_F(Judging, AReportIsGoodOnlyIfItsChecksAre) {
+  write_checks(true);
+  ASSERT_EQ(furrow("report --scenes scenes --out page --checks checks.json"), 0) << err();
+  EXPECT_EQ(out(), "page/index.html\n");
+  EXPECT_TRUE(fs::exists(directory_ / "page/index.html"));
+  write_checks(false);
+  EXPECT_EQ(furrow("report --scenes scenes --out page --reuse --checks checks.json"), 1) << err();
+  EXPECT_EQ(out(), "page/index.html\n");
+}
+
+TEST_F(Judging, AReportReusesWhatFinishedAndNothingElse) {
+  ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
+  const auto run = [&](int number) {
+    return directory_ / "page" / ("scenario_" + std::to_string(number)) / "run.json";
+  };
+  const auto written = [&](int number) { return fs::last_write_time(run(number)); };
+  const auto first = written(1), second = written(2), third = written(3);
+  auto json = nlohmann::json::parse(text_of(run(2)));
+  json["ended"] = "interrupted";
+  std::ofstream(run(2)) << json.dump(2);
+  fs::last_write_time(run(2), second);
+  ASSERT_EQ(furrow("report --scenes scenes --out page --reuse"), 0) << err();
+  EXPECT_EQ(written(1), first);
+  EXPECT_EQ(written(3), third);
+  EXPECT_NE(written(2), second);
+  EXPECT_EQ(nlohmann::json::parse(text_of(run(2)))["ended"], "finished");
+  ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
+  EXPECT_NE(written(1), first);
+}
+
+TEST_F(Judging, AReportOfARunThatDivergedExitsThreeAndSaysWhich) {
+  write_scene("1", "0.05", "1.2");
+  write_checks(false);
+  EXPECT_EQ(furrow("report --scenes scenes --out page --checks checks.json"), 3) << err();
+  EXPECT_NE(err().find("scenario_1 diverged"), std::string::npos) << err();
+  EXPECT_TRUE(fs::exists(directory_ / "page/index.html"));
+}
+
+TEST_F(Judging, AReportWithoutAScenesFileBeginsNothing) {
+  fs::remove(directory_ / "scenes/scenario_1.toml");
+  EXPECT_EQ(furrow("report --scenes scenes --out page"), 4) << err();
+  EXPECT_FALSE(fs::exists(directory_ / "page"));
+}
+
+// Name, order, evaluations and kind of step of each are those of the catalogue, one a line, own ones first.
+TEST_F(Judging, MethodsAreATableOfTheCatalogue) {
+  ASSERT_EQ(furrow("methods"), 0);
+  std::istringstream lines(out());
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line.substr(0, 4), "name");
+  const std::size_t order_end = line.find("order") + 5;
+  bool own = true;
+  for (const furrow::MethodInfo& m : furrow::method_catalogue()) {
+    if (own && m.family != "own") {
+      std::getline(lines, line);
+      EXPECT_EQ(line, "");
+      std::getline(lines, line);
+      EXPECT_EQ(line, "Boost.Odeint");
+      own = false;
+    }
+    std::getline(lines, line);
+    std::istringstream words(line);
+    std::string name, order, evaluations, step;
+    words >> name >> order >> evaluations;
+    if (m.dense_jacobian) {
+      std::string plus, n;
+      words >> plus >> n;
+      EXPECT_EQ(plus + n, "+n");
+    }
+    words >> step;
+    EXPECT_EQ(name, m.name);
+    EXPECT_EQ(order, std::to_string(m.order));
+    EXPECT_EQ(line[order_end - 1], order.back()) << "stands under its heading";
+    EXPECT_EQ(evaluations, m.evaluations > 0 ? std::to_string(m.evaluations) : "varies") << m.name;
+    EXPECT_EQ(step, m.controlled ? "controlled" : "fixed") << m.name;
+    EXPECT_NE(line.find(m.title), std::string::npos) << m.name;
+    EXPECT_EQ(line.find("no forces that depend on velocity") != std::string::npos, m.conservative) << m.name;
+    EXPECT_EQ(line.find("at most 200") != std::string::npos, m.dense_jacobian) << m.name;
+  }
+  EXPECT_FALSE(std::getline(lines, line)) << line;
+}
+
+TEST_F(Judging, StudiesAreListedAndAnUnknownOneIsRefused) {
+  ASSERT_EQ(furrow("study"), 0);
+  for (const char* name : {"order", "stability", "work_precision", "need", "speed", "geometry", "convergence",
+                           "ensemble", "statements", "outlook"})
+    EXPECT_NE(("\n" + out()).find(std::string("\n") + name + " "), std::string::npos) << name;
+  EXPECT_EQ(furrow("study ordre"), 2);
+  EXPECT_NE(err().find("no study 'ordre'; there are order,"), std::string::npos) << err();
+}
+
+}  // namespace
