@@ -1,45 +1,25 @@
 // Every number that `explain` derives from a scene, against its closed form.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "outside.h"
+
 namespace {
 
-namespace fs = std::filesystem;
-
-class Explain : public testing::Test {
+class Explain : public furrow::test::Outside {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_explain_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
-  static std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
-
   // What `explain` says of the scene; its exit code is kept.
   std::string explain(const std::string& scene, const std::string& options = "") {
-    std::ofstream(directory_ / "s.toml") << scene;
-    const std::string command = "cd '" + directory_.string() + "' && '" FURROW_PROGRAM "' explain s.toml " + options +
-                                " >out.txt 2>err.txt </dev/null";
-    const int status = std::system(command.c_str());
-    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    errors_ = text_of(directory_ / "err.txt");
-    return text_of(directory_ / "out.txt");
+    write("s.toml", scene);
+    code_ = furrow("explain s.toml " + options);
+    errors_ = err();
+    return out();
   }
 
   // All numbers behind the first line that begins with `part` and holds `word`.
@@ -64,7 +44,6 @@ class Explain : public testing::Test {
     EXPECT_NEAR(got, want, 0.6 * std::pow(10, 1 - digits) * std::fabs(want));
   }
 
-  fs::path directory_;
   std::string errors_;
   int code_ = -1;
 };

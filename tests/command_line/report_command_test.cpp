@@ -1,30 +1,24 @@
 // The commands that judge, from outside: `report` on three short scenes, `methods`, `study`.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
 #include "methods/method.h"
+#include "outside.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-class Judging : public testing::Test {
+class Judging : public furrow::test::Outside {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_judging_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
+    Outside::SetUp();
     fs::create_directory(directory_ / "scenes");
     for (const char* number : {"1", "2", "3"}) write_scene(number, "1e-4");
   }
-  void TearDown() override { fs::remove_all(directory_); }
 
   // The paper's scene, with 20 discs and until 50 ms.
   void write_scene(const std::string& number, const std::string& step, const std::string& end = "0.05") const {
@@ -39,21 +33,6 @@ class Judging : public testing::Test {
     std::ofstream(directory_ / "scenes" / ("scenario_" + number + ".toml")) << text;
   }
 
-  static std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
-
-  int furrow(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + directory_.string() + "' && '" FURROW_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-  std::string out() const { return text_of(directory_ / "out.txt"); }
-  std::string err() const { return text_of(directory_ / "err.txt"); }
-
   void write_checks(bool good) const {
     const nlohmann::json check{{"test", "A.B"},       {"name", "a number"},  {"requirement", "x.y"},
                                {"want", 1},           {"got", good ? 1 : 2}, {"error", good ? 0 : 1},
@@ -62,8 +41,6 @@ class Judging : public testing::Test {
                                {"good", good}};
     std::ofstream(directory_ / "checks.json") << nlohmann::json::array({check});
   }
-
-  fs::path directory_;
 };
 
 TEST_F(Judging, AReportIsGoodOnlyIfItsChecksAre) {

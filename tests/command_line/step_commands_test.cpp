@@ -1,0 +1,157 @@
+// What `stability` says of a spring of known frequency, and what the options of `run` do to its scene.
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "outside.h"
+
+namespace {
+
+// 800 N/m, 2 kg, omega = 20 rad/s; with damping 8 N s/m lambda = -2 +- 19.9 i.
+std::string spring(double damping, double step) {
+  std::ostringstream text;
+  text << "title = \"Spring\"\n[time]\nend = 2.0\nmethod = \"verlet\"\nstep = " << step
+       << "\n[output]\ninterval = 0.5\nframes = [0.0, 0.5, 1.0]\n[[material]]\nname = \"soft\"\nyoung = 1e6\npoisson = "
+          "0.25\n"
+          "[[lattice]]\nname = \"spring\"\norigin = [0.0, 0.0]\nrows = 1\ncolumns = 2\nspacing = 1.0\nnode_mass = 2.0\n"
+          "material = \"soft\"\nfixed_columns = [0]\nstructural = { stiffness = 800.0, damping = "
+       << damping << " }\n[[lattice.node]]\nrow = 0\ncolumn = 1\ndisplacement = [0.1, 0.0]\n";
+  return text.str();
+}
+
+class StepCommands : public furrow::test::Outside {
+ protected:
+  struct Row {
+    std::string predicted, measured, rest;
+  };
+  Row row(const std::string& method) const {
+    std::istringstream lines(out());
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string name;
+      Row found;
+      if (!(words >> name) || name != method || !(words >> found.predicted >> found.measured)) continue;
+      std::getline(words, found.rest);
+      return found;
+    }
+    ADD_FAILURE() << method << " is not in\n" << out();
+    return {};
+  }
+};
+
+TEST_F(StepCommands, StabilityKnowsTheSpringsEigenvalueAndItsLimits) {
+  write("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("stability s.toml"), 0) << err();
+  EXPECT_NE(out().find("at t = 0 s "), std::string::npos);
+  double real = 0, imaginary = 0;
+  ASSERT_EQ(std::sscanf(out().c_str() + out().find("lambda ="), "lambda = %lf %lf", &real, &imaginary), 2) << out();
+  EXPECT_NEAR(real, -2, 1e-3);
+  EXPECT_NEAR(imaginary, std::sqrt(400 - 4.0), 1e-2);
+  EXPECT_NE(out().find("structural link from node"), std::string::npos) << out();
+  // On lambda alone: rk4 where |1 + z + z^2/2 + z^3/6 + z^4/24| = 1; found here by halving.
+  double low = 0.05, high = 0.5;
+  for (int k = 0; k < 60; ++k) {
+    const double h = 0.5 * (low + high);
+    const std::complex<double> z = h * std::complex<double>(-2, std::sqrt(396.0));
+    (std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))) < 1 ? low : high) = h;
+  }
+  EXPECT_NEAR(std::stod(row("rk4").predicted), low, 6e-3 * low);
+  EXPECT_NEAR(std::stod(row("rk4").measured), low, 2e-2 * low);
+  EXPECT_EQ(row("rk4").rest.find("UNSTABLE"), std::string::npos);
+  EXPECT_NE(row("rk4").rest.find("stable"), std::string::npos);
+}
+
+TEST_F(StepCommands, StabilityOfALongStepIsUnstableForThoseWhoseLimitItExceeds) {
+  write("s.toml", spring(0, 0.12));
+  ASSERT_EQ(furrow("stability s.toml --method verlet rk4"), 0) << err();
+  EXPECT_NEAR(std::stod(row("verlet").predicted), 0.1, 1e-3);
+  EXPECT_NE(row("verlet").rest.find("UNSTABLE"), std::string::npos);
+  EXPECT_NEAR(std::stod(row("rk4").predicted), std::sqrt(8.0) / 20, 2e-3);
+  EXPECT_EQ(row("rk4").rest.find("UNSTABLE"), std::string::npos) << row("rk4").rest;
+  EXPECT_EQ(out().find("\npece "), std::string::npos) << "only those that were named";
+}
+
+TEST_F(StepCommands, StabilityOfAnImplicitMethodIsAnyStep) {
+  write("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("stability s.toml --method odeint_implicit_euler"), 0) << err();
+  EXPECT_EQ(row("odeint_implicit_euler").measured, "any") << out();
+}
+
+TEST_F(StepCommands, StabilityAtALaterTimeIsOfTheStateThere) {
+  write("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("stability s.toml --at 1.5 --method rk4"), 0) << err();
+  EXPECT_NE(out().find("at t = 1.5 s "), std::string::npos) << out();
+  EXPECT_EQ(furrow("stability s.toml --at 2.0001 --method rk4"), 2);
+  EXPECT_EQ(furrow("stability s.toml --at 2.0 --method rk4"), 0) << err();
+}
+
+TEST_F(StepCommands, StabilityOfWhatNothingActsOnSaysSo) {
+  std::string text = spring(0, 1e-2);
+  text.replace(text.find("stiffness = 800.0"), 17, "stiffness = 0.0");
+  write("s.toml", text);
+  ASSERT_EQ(furrow("stability s.toml --method rk4"), 0) << err();
+  EXPECT_NE(out().find("nothing acts on anything here"), std::string::npos) << out();
+}
+
+TEST_F(StepCommands, AFrameAtUntilIsTakenAndLaterOnesAreNot) {
+  write("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("run s.toml --until 0.5 --out here"), 0) << err();
+  EXPECT_EQ(text_of(directory_ / "here/frames/frames.csv"), "index,t [s],displacement [m]\n0,0,0\n1,0.5,0\n");
+  ASSERT_EQ(furrow("run s.toml --until 0.49 --out there"), 0) << err();
+  EXPECT_EQ(text_of(directory_ / "there/frames/frames.csv"), "index,t [s],displacement [m]\n0,0,0\n");
+  ASSERT_EQ(furrow("run s.toml --out whole"), 0) << err();
+  EXPECT_TRUE(std::filesystem::exists(directory_ / "whole/frames/links_002.vtp"));
+}
+
+TEST_F(StepCommands, ARunGoesWhereItsSceneIsNamedAfterUnlessItIsTold) {
+  write("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("run s.toml --until 0.5"), 0) << err();
+  EXPECT_TRUE(std::filesystem::exists(directory_ / "runs/s/run.json"));
+  EXPECT_EQ(nlohmann::json::parse(out())["scene"], "s.toml");
+  EXPECT_EQ(out(), text_of(directory_ / "runs/s/run.json"));
+}
+
+TEST_F(StepCommands, AStepMayBeAsLongAsTheRunAndNoLonger) {
+  write("s.toml", spring(8, 1e-2));
+  EXPECT_EQ(furrow("run s.toml --until 0.5 --dt 0.5 --method odeint_implicit_euler --out here"), 0) << err();
+  EXPECT_EQ(furrow("run s.toml --until 0.4 --dt 0.5 --method odeint_implicit_euler --out there"), 2);
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "there"));
+}
+
+// What stood in the directory of a run from an earlier one is gone: its state, its frames, its partial files.
+TEST_F(StepCommands, NothingOfAnEarlierRunIsLeft) {
+  write("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("run s.toml --out here"), 0) << err();
+  const std::string state = text_of(directory_ / "here/state.csv");
+  ASSERT_EQ(furrow("run s.toml --until 0.5 --out here"), 0) << err();
+  EXPECT_NE(text_of(directory_ / "here/state.csv"), state);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory_ / "here")) {
+    EXPECT_EQ(entry.path().string().find("002"), std::string::npos) << entry.path();
+    EXPECT_EQ(entry.path().string().find(".partial"), std::string::npos) << entry.path();
+  }
+}
+
+// A bed that never settles leaves no state that could be taken for its own.
+TEST_F(StepCommands, ARunThatDoesNotSettleLeavesNoStateOfAnEarlierOne) {
+  const std::string disc =
+      "title = \"Bouncing\"\n[time]\nend = 0.01\nstep = 1e-4\n[[material]]\nname = \"soft\"\nyoung = 1e6\npoisson = "
+      "0.25\n"
+      "[[disc]]\nposition = [0.0, 0.2]\nradius = 0.1\nmaterial = \"soft\"\n[[wall]]\npoint = [0.0, 0.0]\nnormal = "
+      "[0.0, 1.0]\n"
+      "material = \"soft\"\n";
+  write("s.toml", disc);
+  ASSERT_EQ(furrow("run s.toml --out here"), 0) << err();
+  ASSERT_TRUE(std::filesystem::exists(directory_ / "here/state.csv"));
+  write("s.toml", disc + "[settle]\nspeed = 1e-6\nlimit = 0.5\n");
+  EXPECT_EQ(furrow("run s.toml --out here"), 3) << err();
+  EXPECT_NE(err().find("not settled after 0.5 s"), std::string::npos) << err();
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "here/state.csv"));
+  EXPECT_FALSE(std::filesystem::exists(directory_ / "here/plate_force.csv"));
+  const auto json = nlohmann::json::parse(text_of(directory_ / "here/run.json"));
+  EXPECT_EQ(json["ended"], "diverged");
+  EXPECT_EQ(json["ended_at"], 0);
+}
+
+}  // namespace
