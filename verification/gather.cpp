@@ -16,6 +16,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "page/seal.h"
+
 namespace {
 
 using nlohmann::ordered_json;
@@ -91,7 +93,9 @@ int main(int argc, char** argv) try {
     return number(a["of_limit"]) > number(b["of_limit"]);
   });
   std::ofstream out(records / "checks.json");
-  out << ordered_json(checks).dump(1) << "\n";
+  ordered_json all{{"tests", tests.size()}, {"missing", faults}, {"checks", checks}};
+  furrow::seal(all);
+  out << all.dump(1) << "\n";
   out.close();
   if (!out) throw std::runtime_error("cannot write " + (records / "checks.json").string());
 

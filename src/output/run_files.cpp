@@ -95,6 +95,7 @@ RunOutcome run_with_files(const RunRequest& request) {
                               {"compiler", build.compiler},
                               {"flags", build.flags},
                               {"build_type", build.build_type},
+                              {"sources", build.sources},
                               {"machine", processor_name()},
                               {"method", time.method},
                               {"step", time.step},

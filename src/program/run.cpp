@@ -1,4 +1,7 @@
+#include <array>
 #include <atomic>
+#include <cinttypes>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -7,6 +10,7 @@
 #include <thread>
 
 #include "methods/method.h"
+#include "output/build_info.h"
 #include "output/files.h"
 #include "output/run_files.h"
 #include "page/report.h"
@@ -63,10 +67,35 @@ int run_side_by_side(const std::vector<RunOptions>& wanted) {
   return worst;
 }
 
-bool finished_run_in(const fs::path& directory) {
+// Why a run that is there does not stand for a run of that scene by this program; empty if it does.
+std::string other_run(const fs::path& directory, const Scene& scene) {
   std::ifstream file(directory / "run.json");
+  if (!file) return "there is none";
   const auto json = nlohmann::json::parse(file, nullptr, false);
-  return json.is_object() && json.value("ended", "") == "finished";
+  if (!json.is_object()) return "its run.json cannot be read";
+  std::array<char, 20> hash{};
+  std::snprintf(hash.data(), hash.size(), "%016" PRIx64, scene_hash(scene));
+  const BuildInfo& build = build_info();
+  const std::array<std::pair<const char*, nlohmann::json>, 7> wanted{{{"ended", "finished"},
+                                                                      {"scene_hash", hash.data()},
+                                                                      {"method", scene.time.method},
+                                                                      {"step", scene.time.step},
+                                                                      {"sources", build.sources},
+                                                                      {"compiler", build.compiler},
+                                                                      {"flags", build.flags}}};
+  for (const auto& [key, value] : wanted) {
+    const auto found = json.find(key);
+    if (found == json.end()) return std::string("its run.json does not say its ") + key;
+    if (*found != value) return std::string(key) + " is " + found->dump() + ", not " + value.dump();
+  }
+  return {};
+}
+
+// Whether the run in its directory is taken as it is; if not, the reason is said.
+bool reused(const RunOptions& options, const Scene& scene) {
+  const std::string why = other_run(options.directory, scene);
+  if (!why.empty()) std::cerr << options.directory << ": run again: " << why << "\n";
+  return why.empty();
 }
 
 }  // namespace
@@ -102,8 +131,8 @@ int report_command(const ReportOptions& options) {
   for (const std::string name : {"scenario_3", "scenario_2", "scenario_1"}) {  // the longest first
     runs.push_back({name, fs::path(options.directory) / name});
     const RunOptions one{.scene = fs::path(options.scenes) / (name + ".toml"), .directory = runs.back().directory};
-    if (!options.reuse || !finished_run_in(one.directory)) wanted.push_back(one);
-    requested_scene(one);  // say what is wrong with any of them before the first one starts
+    const Scene scene = requested_scene(one);  // says what is wrong with any of them before the first one starts
+    if (!options.reuse || !reused(one, scene)) wanted.push_back(one);
   }
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
@@ -111,7 +140,9 @@ int report_command(const ReportOptions& options) {
   const Evidence evidence{options.checks, options.faults, options.studies};
   write_report(options.directory, runs, evidence);
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
-  return worst == good && failed_checks(evidence) > 0 ? check_failed : worst;
+  const std::vector<std::string> missing = missing_evidence(evidence);
+  for (const std::string& why : missing) std::cerr << "furrow: missing on the page: " << why << "\n";
+  return worst == good && (failed_checks(evidence) > 0 || !missing.empty()) ? check_failed : worst;
 }
 
 }  // namespace furrow

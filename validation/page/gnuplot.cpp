@@ -72,10 +72,12 @@ std::string draw(const PlotInput& input, std::string_view script, const std::fil
        << "\n"
        << input.text() << script;
   file.finish();
+  std::filesystem::remove(svg);  // one of an earlier run must not pass for this one's
   run_gnuplot(source);
   std::filesystem::remove(source);
-  std::string text = run_text(svg);
-  if (text.find("<svg") == std::string::npos) throw std::runtime_error("gnuplot drew nothing into " + svg.string());
+  std::string text = std::filesystem::exists(svg) ? run_text(svg) : "";
+  if (text.find("<svg") == std::string::npos || text.find("</svg>") == std::string::npos)
+    throw std::runtime_error("gnuplot drew nothing into " + svg.string());
   text.erase(0, text.find("<svg"));
   for (const std::string before : {" id='", " id=\"", "href='#", "href=\"#", "url(#"}) {
     text = replaced(std::move(text), before, before + svg.stem().string() + "_");

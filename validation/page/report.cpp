@@ -74,6 +74,13 @@ std::string scene_table(const std::vector<RunRecord>& runs) {
   return table;
 }
 
+std::string missing_part(const Evidence& evidence) {
+  std::string lines;
+  for (const std::string& why : missing_evidence(evidence)) lines += element("li", escaped(why));
+  return lines.empty() ? lines
+                       : element("section", element("h2", "What is missing here") + element("ul", lines, "missing"));
+}
+
 }  // namespace
 
 void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& reported,
@@ -91,16 +98,17 @@ void write_report(const std::filesystem::path& out, const std::vector<ReportedRu
   }
   const StudyPlace before = StudyPlace::before_scenes, after = StudyPlace::after_scenes;
   OutputFile page(out / "index.html");
-  page << filled(figure_file("page.html"), {{"style", figure_file("page.css")},
-                                            {"paper", escaped(paper.title)},
-                                            {"contents", contents},
-                                            {"scenes", scenes},
-                                            {"first_contents", study_contents(evidence.studies, before)},
-                                            {"first_study", study_sections(evidence.studies, before, out)},
-                                            {"study_contents", study_contents(evidence.studies, after)},
-                                            {"studies", study_sections(evidence.studies, after, out)},
-                                            {"verification", verification_section(evidence)},
-                                            {"made", how_made(runs)}});
+  page << filled(figure_file("page.html"),
+                 {{"style", figure_file("page.css")},
+                  {"paper", escaped(paper.title)},
+                  {"contents", contents},
+                  {"scenes", scenes},
+                  {"first_contents", study_contents(evidence.studies, before)},
+                  {"first_study", missing_part(evidence) + study_sections(evidence.studies, before, out)},
+                  {"study_contents", study_contents(evidence.studies, after)},
+                  {"studies", study_sections(evidence.studies, after, out)},
+                  {"verification", verification_section(evidence)},
+                  {"made", how_made(runs)}});
   page.finish();
   OutputFile table(out / "scenes.md");
   table << scene_table(runs);

@@ -1,17 +1,17 @@
 #include "page/studies.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
+#include "output/build_info.h"
 #include "page/embedded.h"
+#include "page/evidence.h"
 #include "page/gnuplot.h"
 #include "page/html.h"
+#include "page/seal.h"
 
 namespace furrow {
 namespace {
@@ -24,29 +24,16 @@ struct Result {
   ordered_json json;
 };
 
-// In the order in which a reader wants them; others follow by name. The first comes before the scenes: it says how
-// their numbers are to be taken.
-constexpr std::array<std::string_view, 10> usual_order{"convergence", "statements", "ensemble",  "geometry",
-                                                       "outlook",     "order",      "stability", "work_precision",
-                                                       "need",        "speed"};
-
+// Those that can be shown; what cannot is said by missing_evidence.
 std::vector<Result> results_in(const fs::path& directory, StudyPlace place_on_page) {
   std::vector<Result> results;
-  if (directory.empty() || !fs::is_directory(directory)) return results;
-  for (const fs::directory_entry& entry : fs::directory_iterator(directory)) {
-    const bool first = entry.path().stem() == usual_order[0];
-    if (entry.path().extension() != ".json" || first != (place_on_page == StudyPlace::before_scenes)) continue;
-    std::ifstream stream(entry.path());
-    try {
-      results.push_back({entry.path().stem(), ordered_json::parse(stream)});
-    } catch (const ordered_json::parse_error& error) {
-      throw std::runtime_error(entry.path().string() + ": " + error.what());
-    }
+  if (directory.empty()) return results;
+  for (const std::string& name : studies_of_the_page()) {
+    const bool first = name == studies_of_the_page().front();
+    const fs::path file = directory / (name + ".json");
+    if (first != (place_on_page == StudyPlace::before_scenes) || !unusable_study(file).empty()) continue;
+    results.push_back({name, read_sealed(file)});
   }
-  const auto place = [](const Result& r) {
-    return std::pair(std::find(usual_order.begin(), usual_order.end(), r.name), r.name);
-  };
-  std::sort(results.begin(), results.end(), [&](const Result& a, const Result& b) { return place(a) < place(b); });
   return results;
 }
 
@@ -132,6 +119,13 @@ std::string part_of(const ordered_json& part, const fs::path& out) {
   return figure_of(part, out);
 }
 
+// A study stays as it is while the solver goes on: the page says so.
+std::string by_which_solver(const ordered_json& json) {
+  return json.value("sources", "") == build_info().sources
+             ? " The solver's sources are those of this page's runs."
+             : " It is not shown that the solver's sources are those of this page's runs.";
+}
+
 std::string claims_of(const ordered_json& claims) {
   std::string rows;
   for (const ordered_json& claim : claims) {
@@ -160,7 +154,7 @@ std::string study_sections(const fs::path& directory, StudyPlace place, const fs
     for (const ordered_json& part : json.at("parts")) html += part_of(part, out);
     html += element("p",
                     "By <code>furrow study " + result.name + "</code>, commit " + text(json, "commit") + ", " +
-                        text(json, "compiler") + ", " + text(json, "machine") + ".",
+                        text(json, "compiler") + ", " + text(json, "machine") + "." + by_which_solver(json),
                     "note");
     sections += "<section id=\"study_" + result.name + "\">\n" + html + "</section>\n";
   }

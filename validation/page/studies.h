@@ -8,8 +8,8 @@ namespace furrow {
 
 enum class StudyPlace { before_scenes, after_scenes };
 
-// A line of the page's contents for each result, and a section for each; HTML. A directory without results makes none.
-// The figures go into `out`. Throws std::runtime_error if a file is malformed or gnuplot fails.
+// A line of the page's contents for each result, and a section for each; HTML. A result that is missing or cannot be
+// used makes none, see missing_evidence. The figures go into `out`. Throws std::runtime_error if gnuplot fails.
 std::string study_contents(const std::filesystem::path& directory, StudyPlace place);
 std::string study_sections(const std::filesystem::path& directory, StudyPlace place, const std::filesystem::path& out);
 

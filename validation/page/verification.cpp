@@ -2,31 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
 #include "page/faults.h"
 #include "page/gnuplot.h"
 #include "page/html.h"
+#include "page/seal.h"
 
 namespace furrow {
 namespace {
 
 using nlohmann::ordered_json;
-
-// Null if there is no such file.
-ordered_json json_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) return nullptr;
-  try {
-    return ordered_json::parse(stream);
-  } catch (const ordered_json::parse_error& error) {
-    throw std::runtime_error(file.string() + ": " + error.what());
-  }
-}
 
 // Records hold what is not finite as text.
 double number(const ordered_json& value) { return value.is_number() ? value.get<double>() : NAN; }
@@ -65,10 +53,15 @@ std::string check_table(const std::vector<ordered_json>& checks) {
          element("tbody", rows) + "</table></div>";
 }
 
+std::string missing_part(const std::string& why, const std::string& otherwise) {
+  return element("p", why.empty() ? otherwise : escaped(why), "missing");
+}
+
 std::string checks_part(const std::filesystem::path& file) {
-  const ordered_json all = json_of(file);
-  if (all.is_null())
-    return element("p", "No checks here: the verification tests were not run before this page was made.", "missing");
+  const std::string why = file.empty() ? "" : unusable_checks(file);
+  if (file.empty() || !why.empty())
+    return missing_part(why, "No checks here: the page was made without those of the verification tests (--checks).");
+  const ordered_json all = read_sealed(file).at("checks");
   const std::vector<ordered_json> checks(all.begin(), all.end());
   std::set<std::string> requirements;
   std::size_t failed = 0;
@@ -93,16 +86,18 @@ std::string checks_part(const std::filesystem::path& file) {
 }  // namespace
 
 std::size_t failed_checks(const Evidence& evidence) {
-  const ordered_json all = json_of(evidence.checks);
+  if (evidence.checks.empty() || !unusable_checks(evidence.checks).empty()) return 0;
+  const ordered_json all = read_sealed(evidence.checks).at("checks");
   return static_cast<std::size_t>(
       std::count_if(all.begin(), all.end(), [](const ordered_json& check) { return !check.at("good").get<bool>(); }));
 }
 
 std::string verification_section(const Evidence& evidence) {
-  const ordered_json faults = json_of(evidence.faults);
+  const std::string why = evidence.faults.empty() ? "" : unusable_faults(evidence.faults);
+  const bool none = evidence.faults.empty() || !why.empty();
   return element("h3", "Checks") + checks_part(evidence.checks) + element("h3", "Faults that they notice") +
-         (faults.is_null() ? element("p", "No fault study here: <code>scripts/faults</code> was not run.", "missing")
-                           : faults_part(faults));
+         (none ? missing_part(why, "No fault study here: the page was made without one (--faults).")
+               : faults_part(read_sealed(evidence.faults)));
 }
 
 }  // namespace furrow

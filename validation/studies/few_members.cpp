@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <random>
-#include <stdexcept>
+
+#include "studies/kept_ensemble.h"
 
 namespace furrow::studies {
 
@@ -25,7 +25,9 @@ double strangeness(const std::vector<Json>& members, const Norm& norm) {
     const Sample sample = sample_of(few_observables[k], members);
     if (sample.numbers.size() != members.size()) return INFINITY;  // one diverged, or does not say
     const double error = norm.deviation[k] / std::sqrt(static_cast<double>(members.size()));
-    most = std::max(most, std::fabs(sample.mean() - norm.mean[k]) / error);
+    const double distance = std::fabs(sample.mean() - norm.mean[k]) / error;
+    if (std::isnan(distance)) return INFINITY;  // a norm of nothing, or of one number many times
+    most = std::max(most, distance);
   }
   return most;
 }
@@ -72,15 +74,9 @@ double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws)
 }
 
 bool check_few(const Settings& settings, const std::function<void(const std::string&)>& say) {
-  const std::filesystem::path file = settings.directory / "ensemble.json";
-  std::ifstream stream(file);
-  const Json kept = stream ? Json::parse(stream, nullptr, false) : Json();
-  const char* group = "scenario_2 disc";
-  if (!kept.is_object() || !kept.contains("data") || !kept["data"]["members"].contains(group))
-    throw std::runtime_error(file.string() + ": no result of an ensemble; make one by: furrow ensemble --out " +
-                             settings.directory.string());
-  const Json& list = kept["data"]["members"][group];
-  const Norm norm = norm_of({list.begin(), list.end()});
+  const std::string group = "scenario_2 disc";
+  const std::vector<Json> list = kept_ensemble(settings.directory, {group}).at(group);
+  const Norm norm = norm_of(list);
   std::vector<Task> tasks;
   for (std::uint64_t seed = 101; seed < 101 + few; ++seed)
     tasks.push_back({"few " + std::to_string(seed),
@@ -92,6 +88,7 @@ bool check_few(const Settings& settings, const std::function<void(const std::str
     say(few_observables[k] + ": " + three_digits(sample_of(few_observables[k], got).mean()) + ", ensemble " +
         three_digits(norm.mean[k]) + " with standard deviation " + three_digits(norm.deviation[k]));
   const double strange = strangeness(got, norm);
+  say("compared with " + std::to_string(list.size()) + " packings, of which the first gives the same bits today");
   const bool alike = strange <= few_limit;
   say(std::to_string(few) + " packings lie within " + three_digits(strange) + " standard errors, " +
       three_digits(few_limit) + " are allowed: " + (alike ? "like the ensemble" : "NOT like the ensemble"));

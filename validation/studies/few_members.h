@@ -16,7 +16,8 @@ struct Norm {
 };
 Norm norm_of(const std::vector<Json>& ensemble);
 
-// The largest distance of the few members' means from the norm, in their standard errors.
+// The largest distance of the few members' means from the norm, in their standard errors; infinite if a member or the
+// norm does not say.
 double strangeness(const std::vector<Json>& members, const Norm& norm);
 
 // Runs for the smallest change that a few members notice, and the table made of them.
@@ -34,8 +35,8 @@ Json run_changed(const Change& change, int member);
 double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws);
 
 // Runs a few packings that are not in the ensemble and compares them with its result in settings.directory, a line an
-// observable. Returns whether they are like it. Throws std::runtime_error if there is no result to compare with,
-// Interrupted.
+// observable. Returns whether they are like it. Throws FileError if there is no result to compare with (see
+// kept_ensemble), Interrupted.
 bool check_few(const Settings& settings, const std::function<void(const std::string&)>& say);
 
 }  // namespace furrow::studies

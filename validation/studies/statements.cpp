@@ -2,12 +2,11 @@
 // tried both ways.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "output/files.h"
 #include "studies/catalogue.h"
-#include "studies/members.h"
+#include "studies/kept_ensemble.h"
 #include "studies/observed_run.h"
 
 namespace furrow::studies {
@@ -90,26 +89,17 @@ std::string runs(const Sample& sample) {
 
 // ---- the ensemble behind the verdicts ----
 
-using Groups = std::map<std::string, std::vector<Json>>;
-
-// Of the ensemble's result in the same directory, else run anew.
+// Of the ensemble's result in the same directory; where there is none, and in the quick form, run again.
 Groups members_in(const Settings& settings) {
-  std::ifstream stream(settings.directory / "ensemble.json");
-  Groups groups;
-  if (!settings.directory.empty() && !settings.quick && stream) {
-    const Json kept = Json::parse(stream, nullptr, false);
-    if (kept.is_object() && kept.contains("data") && kept["data"].contains("members")) {
-      for (const auto& [group, list] : kept["data"]["members"].items())
-        groups[group] = std::vector<Json>(list.begin(), list.end());
-      return groups;
-    }
-  }
+  if (!settings.quick && std::filesystem::exists(settings.directory / "ensemble.json"))
+    return kept_ensemble(settings.directory);
   const std::vector<Member> members = paper_members(settings.quick);
   std::vector<Task> tasks;
   for (const Member& m : members)
     tasks.push_back({m.group() + " " + std::to_string(m.seed),
                      [m] { return observed(paper_scene(m.scene, m.reading, m.seed), m.scene); }});
   const std::vector<Json> got = run_tasks("statements", settings, tasks);
+  Groups groups;
   for (std::size_t k = 0; k < members.size(); ++k) groups[members[k].group()].push_back(got[k]);
   return groups;
 }
@@ -146,7 +136,8 @@ void judge(Report& report, const Groups& groups) {
                {"scene", "statement", "the paper", "ours", "runs", "95 % interval of the median",
                 "5 % to 95 % of the packings", "verdict"},
                rows);
-  report.claim("Every statement has a number of ours to be judged by.", missing == 0);
+  report.claim("Every statement has a number of ours to be judged by.",
+               missing == 0 && rows.size() >= the_paper().statements.size());
 }
 
 // ---- gaps and misprints ----

@@ -5,13 +5,17 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <new>
+#include <set>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/machine.h"
 #include "page/embedded.h"
+#include "page/seal.h"
 #include "scene/read.h"
 #include "system/prepare.h"
 
@@ -20,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// 64-bit FNV-1a of the running program: results of another build are not taken for this one's.
+// 64-bit FNV-1a of the running program, the scenes that it carries included: results of another build are not taken for
+// this one's.
 std::string program_hash() {
   static const std::string hash = [] {
     std::ifstream self("/proc/self/exe", std::ios::binary);
@@ -32,20 +37,31 @@ std::string program_hash() {
   return hash;
 }
 
-// Results of earlier, interrupted calls, and of this one as they come.
+std::string form_of(const Settings& settings) { return settings.quick ? "quick" : "full"; }
+
+bool ends_within_a_line(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream || stream.tellg() <= 0) return false;
+  stream.seekg(-1, std::ios::end);
+  return stream.get() != '\n';
+}
+
+// Results of earlier, interrupted calls, and of this one as they come. What makes a result is in its line: program,
+// machine, study, form and key. A failure is not taken: it may have been one of the machine, so it is tried again.
 class Kept {
  public:
-  Kept(const std::string& study, const fs::path& directory) {
-    if (directory.empty()) return;
-    fs::create_directories(directory);
-    const fs::path file = directory / (study + ".runs.jsonl");
-    std::ifstream earlier(file);
-    for (std::string line; std::getline(earlier, line);) {
-      const Json entry = Json::parse(line, nullptr, false);  // a line cut short by a crash is not valid
-      if (entry.is_object() && entry.value("program", "") == program_hash()) known_[entry["key"]] = entry["result"];
-    }
-    out_.open(file, std::ios::app);
-    if (!out_) throw FileError("cannot write " + file.string());
+  Kept(const std::string& study, const Settings& settings)
+      : made_by_{
+            {"program", program_hash()}, {"machine", processor_name()}, {"study", study}, {"form", form_of(settings)}} {
+    if (settings.directory.empty()) return;
+    fs::create_directories(settings.directory);
+    file_ = settings.directory / (study + ".runs.jsonl");
+    std::ifstream earlier(file_);
+    for (std::string line; std::getline(earlier, line);) take(Json::parse(line, nullptr, false));
+    const bool cut = ends_within_a_line(file_);
+    out_.open(file_, std::ios::app);
+    if (cut) out_ << "\n";
+    if (!out_) throw FileError("cannot write " + file_.string());
   }
 
   const Json* find(const std::string& key) const {
@@ -54,13 +70,51 @@ class Kept {
   }
 
   void add(const std::string& key, const Json& result) {
-    if (out_.is_open()) out_ << Json{{"program", program_hash()}, {"key", key}, {"result", result}}.dump() << std::endl;
+    if (!out_.is_open()) return;
+    Json entry = made_by_;
+    entry["key"] = key;
+    entry["result"] = result;
+    seal(entry);
+    out_ << entry.dump() << std::endl;
+    if (!out_) throw FileError("cannot write all of " + file_.string());
   }
 
  private:
+  void take(const Json& entry) {  // a line that was cut short by a crash bears no seal
+    if (!broken_seal(entry).empty()) return;
+    for (const auto& [key, value] : made_by_.items()) {
+      if (entry.value(key, Json()) != value) return;
+    }
+    if (!entry.at("result").contains("failed")) known_[entry.at("key")] = entry.at("result");
+  }
+
+  Json made_by_;
+  fs::path file_;
   std::map<std::string, Json> known_;
   std::ofstream out_;
 };
+
+void refuse_twins(const std::vector<Task>& tasks) {
+  std::set<std::string> keys;
+  for (const Task& task : tasks) {
+    if (!keys.insert(task.key).second) throw std::logic_error("two runs of a study with the key '" + task.key + "'");
+  }
+}
+
+// A method's failure is a result. That the machine failed is none: it ends the study.
+Json result_of(const Task& task) {
+  try {
+    return task.run();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::system_error&) {
+    throw;
+  } catch (const FileError&) {
+    throw;
+  } catch (const std::exception& failure) {
+    return {{"failed", failure.what()}};
+  }
+}
 
 }  // namespace
 
@@ -70,39 +124,39 @@ Scene scene_named(const std::string& name) {
 }
 
 std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks) {
-  Kept kept(study, settings.directory);
+  refuse_twins(tasks);
+  Kept kept(study, settings);
   std::vector<Json> results(tasks.size());
   std::mutex mutex;
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   bool stopped = false;
+  std::exception_ptr broken;
+  const auto work_on = [&](std::size_t k) {
+    const Json* known = kept.find(tasks[k].key);
+    Json result = known ? *known : result_of(tasks[k]);
+    const std::scoped_lock lock(mutex);
+    if (!known) kept.add(tasks[k].key, result);
+    results[k] = std::move(result);
+    if (settings.progress && !settings.progress(static_cast<double>(++done), static_cast<double>(tasks.size()))) {
+      stopped = true;
+      next = tasks.size();
+    }
+  };
   const auto work = [&] {
-    for (std::size_t k; (k = next++) < tasks.size();) {
-      const Task& task = tasks[k];
-      const Json* known = kept.find(task.key);
-      Json result;
-      if (known) {
-        result = *known;
-      } else {
-        try {
-          result = task.run();
-        } catch (const std::exception& failure) {
-          result = {{"failed", failure.what()}};
-        }
-      }
+    try {
+      for (std::size_t k; (k = next++) < tasks.size();) work_on(k);
+    } catch (...) {
       const std::scoped_lock lock(mutex);
-      if (!known) kept.add(task.key, result);
-      results[k] = std::move(result);
-      if (settings.progress && !settings.progress(static_cast<double>(++done), static_cast<double>(tasks.size()))) {
-        stopped = true;
-        next = tasks.size();
-      }
+      broken = std::current_exception();
+      next = tasks.size();
     }
   };
   std::vector<std::jthread> others;
   for (unsigned k = 1; k < settings.jobs; ++k) others.emplace_back(work);
   work();
   others.clear();
+  if (broken) std::rethrow_exception(broken);
   if (stopped) throw Interrupted("interrupted; the runs that ended are kept");
   return results;
 }
@@ -164,7 +218,11 @@ std::vector<std::string> run_study(const std::string& name, const Settings& sett
   for (const Study& study : catalogue()) {
     known += (known.empty() ? "" : ", ") + study.name;
     if (study.name != name) continue;
-    const Json result = study.run(settings);
+    Json result = study.run(settings);
+    result["study"] = name;
+    result["form"] = form_of(settings);
+    result["sources"] = build_info().sources;
+    seal(result);
     OutputFile file(settings.directory / (name + ".json"));
     file << result.dump(1) << "\n";
     file.finish();

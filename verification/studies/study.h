@@ -26,14 +26,16 @@ struct Settings {
 Scene scene_named(const std::string& name);
 
 // One run of a study. `key` names it among all runs of the study, its settings included; `run` must not depend on any
-// other run. What `run` throws becomes {"failed": what}: failure of a method is a result.
+// other run. What `run` throws becomes {"failed": what}: failure of a method is a result. Want of memory and errors of
+// the system or of files are none: they end the study.
 struct Task {
   std::string key;
   std::function<Json()> run;
 };
 
 // The results in the order of the tasks. Each is kept in directory/STUDY.runs.jsonl as soon as it is there; those that
-// the same program has left there are not run again. Throws Interrupted if `progress` says so.
+// the same program has left there on the same machine, for the same form of the same study, are not run again unless
+// they failed. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
 std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks);
 
 // A figure of the page: a script of validation/figures behind variables and data blocks (see page/gnuplot.h).
@@ -74,8 +76,8 @@ struct Study {
 
 const std::vector<Study>& catalogue();
 
-// Runs the study of that name and writes settings.directory/NAME.json. Returns the claims that do not hold. Throws
-// std::invalid_argument if there is no such study, Interrupted.
+// Runs the study of that name and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold.
+// Throws std::invalid_argument if there is no such study, Interrupted.
 std::vector<std::string> run_study(const std::string& name, const Settings& settings);
 
 }  // namespace furrow::studies

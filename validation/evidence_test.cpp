@@ -1,0 +1,301 @@
+// What is kept and used again is shown to be whole and of the same program; what is missing is named.
+#include "page/evidence.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <new>
+
+#include "output/files.h"
+#include "page/gnuplot.h"
+#include "page/seal.h"
+#include "studies/few_members.h"
+#include "studies/kept_ensemble.h"
+
+namespace furrow::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Place {
+  fs::path path = fs::temp_directory_path() / ("furrow_evidence_" + std::to_string(getpid()));
+  Place() { fs::create_directories(path); }
+  ~Place() { fs::remove_all(path); }
+};
+
+fs::path reference(const std::string& name) { return fs::path(FURROW_SOURCE_DIR) / "reference_data" / name; }
+
+Json json_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return Json::parse(stream);
+}
+
+void write(const fs::path& file, const Json& json) { std::ofstream(file) << json.dump(); }
+
+struct Way {
+  const char* name;
+  std::function<void(Json&)> spoil;
+};
+
+// ---- the ensemble ----
+
+Json& members(Json& kept, const char* group) { return kept["data"]["members"][group]; }
+
+const std::vector<Way>& ways_of_ensemble() {
+  static const std::vector<Way> all{
+      {"null", [](Json& e) { e = nullptr; }},
+      {"empty", [](Json& e) { e = Json::object(); }},
+      {"of another study", [](Json& e) { e["study"] = "order"; }},
+      {"of the quick form", [](Json& e) { e["form"] = "quick"; }},
+      {"no data", [](Json& e) { e.erase("data"); }},
+      {"data is text", [](Json& e) { e["data"] = "x"; }},
+      {"no members", [](Json& e) { e["data"]["members"] = Json::object(); }},
+      {"3 of 100 members",
+       [](Json& e) {
+         Json& list = members(e, "scenario_2 disc");
+         list = Json::array({list[0], list[1], list[2]});
+       }},
+      {"one member less", [](Json& e) { members(e, "scenario_2 disc").erase(50); }},
+      {"one member more",
+       [](Json& e) { members(e, "scenario_2 disc").push_back(Json(members(e, "scenario_2 disc")[0])); }},
+      {"without a reading", [](Json& e) { e["data"]["members"].erase("scenario_3 sphere"); }},
+      {"without scene 1", [](Json& e) { e["data"]["members"].erase("scenario_1 disc"); }},
+      {"a group more", [](Json& e) { members(e, "scenario_4 disc") = Json::array(); }},
+      {"an empty member", [](Json& e) { members(e, "scenario_2 disc")[7] = Json::object(); }},
+      {"a member is a number", [](Json& e) { members(e, "scenario_2 disc")[7] = 1.5; }},
+      {"a number is null", [](Json& e) { members(e, "scenario_2 disc")[7]["force_ratio"] = nullptr; }},
+      {"a number is NaN", [](Json& e) { members(e, "scenario_2 disc")[7]["force_ratio"] = std::nan(""); }},
+      {"no mean force", [](Json& e) { members(e, "scenario_3 disc")[7].erase("mean_force"); }},
+      {"surface is text", [](Json& e) { members(e, "scenario_3 disc")[7]["surface"] = "0.07"; }},
+  };
+  return all;
+}
+
+TEST(KeptEnsemble, TheOneInTheTreeCanBeUsed) {
+  EXPECT_EQ(unusable_ensemble(json_of(reference("studies/ensemble.json"))), "");
+}
+
+TEST(KeptEnsemble, EveryWayToSpoilItMakesItUnusable) {
+  const Json sound = json_of(reference("studies/ensemble.json"));
+  for (const Way& way : ways_of_ensemble()) {
+    Json spoilt = sound;
+    way.spoil(spoilt);
+    EXPECT_NE(unusable_ensemble(spoilt), "") << way.name;
+    if (!spoilt.is_object()) continue;
+    seal(spoilt);
+    EXPECT_NE(unusable_ensemble(spoilt), "") << way.name << ", sealed";
+  }
+  Json changed = sound;
+  members(changed, "scenario_2 disc")[7]["mean_force"] = 1.0;
+  EXPECT_NE(unusable_ensemble(changed), "") << "changed by hand";
+}
+
+TEST(KeptEnsemble, OneOfAnotherModelIsNotTaken) {
+  Place place;
+  Json foreign = json_of(reference("studies/ensemble.json"));
+  for (Json& member : members(foreign, "scenario_1 disc"))
+    member["mean_force"] = 2 * member["mean_force"].get<double>();
+  seal(foreign);
+  write(place.path / "ensemble.json", foreign);
+  EXPECT_THROW(kept_ensemble(place.path, {"scenario_1 disc"}), FileError);
+  fs::copy_file(reference("studies/ensemble.json"), place.path / "ensemble.json", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(kept_ensemble(place.path, {"scenario_1 disc"}).at("scenario_1 disc").size(), 1u);
+}
+
+TEST(KeptEnsemble, AMissingOneIsAnError) {
+  Place place;
+  EXPECT_THROW(kept_ensemble(place.path), FileError);
+}
+
+TEST(FewMembers, ANormOfNothingOrOfOneNumberIsStrange) {
+  const Json member{{"surface", 0.1}, {"mean_force", 1.0}, {"largest_force_discs", 2.0}, {"force_ratio", 3.0}};
+  const std::vector<Json> five(5, member);
+  EXPECT_TRUE(std::isinf(strangeness(five, norm_of({}))));
+  EXPECT_TRUE(std::isinf(strangeness(five, norm_of({member}))));
+  EXPECT_TRUE(std::isinf(strangeness(five, norm_of(five)))) << "without deviation";
+  EXPECT_TRUE(std::isinf(strangeness({}, norm_of({member, member}))));
+}
+
+// ---- runs of a study ----
+
+Task task(const std::string& key, Json result, int& count) {
+  return {key, [result = std::move(result), &count] { return ++count, result; }};
+}
+
+TEST(KeptRuns, AreNotRunTwice) {
+  Place place;
+  int count = 0;
+  const Settings settings{.directory = place.path};
+  run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
+  EXPECT_EQ(run_tasks("s", settings, {task("a", {{"x", 2}}, count)}), std::vector<Json>{Json({{"x", 1}})});
+  EXPECT_EQ(count, 1);
+}
+
+TEST(KeptRuns, OfTheQuickFormDoNotServeTheFullOneNorAnotherStudy) {
+  Place place;
+  int count = 0;
+  run_tasks("s", {.quick = true, .directory = place.path}, {task("a", {{"x", 1}}, count)});
+  run_tasks("s", {.directory = place.path}, {task("a", {{"x", 1}}, count)});
+  EXPECT_EQ(count, 2);
+  fs::copy_file(place.path / "s.runs.jsonl", place.path / "t.runs.jsonl");
+  run_tasks("t", {.directory = place.path}, {task("a", {{"x", 1}}, count)});
+  EXPECT_EQ(count, 3);
+}
+
+TEST(KeptRuns, AFailureIsTriedAgain) {
+  Place place;
+  int count = 0;
+  const Settings settings{.directory = place.path};
+  const auto fails = run_tasks("s", settings, {{"a", []() -> Json { throw std::runtime_error("once"); }}});
+  EXPECT_EQ(fails.at(0).at("failed"), "once");
+  EXPECT_EQ(run_tasks("s", settings, {task("a", {{"x", 1}}, count)}).at(0).at("x"), 1);
+  EXPECT_EQ(count, 1);
+}
+
+TEST(KeptRuns, WantOfMemoryEndsTheStudy) {
+  EXPECT_THROW(run_tasks("s", {}, {{"a", []() -> Json { throw std::bad_alloc(); }}}), std::bad_alloc);
+  EXPECT_THROW(run_tasks("s", {.jobs = 2}, {{"a", []() -> Json { throw FileError("full"); }}}), FileError);
+}
+
+TEST(KeptRuns, OfAnotherProgramOrChangedByHandAreRunAgain) {
+  for (const char* key : {"program", "machine", "result", "key"}) {
+    Place place;
+    int count = 0;
+    const Settings settings{.directory = place.path};
+    run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
+    Json line = json_of(place.path / "s.runs.jsonl");
+    line[key] = "b";
+    if (line[key] != line["result"]) seal(line);
+    std::ofstream(place.path / "s.runs.jsonl") << line.dump() << "\n";
+    run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
+    EXPECT_EQ(count, 2) << key;
+  }
+}
+
+TEST(KeptRuns, ALineThatWasCutDoesNotSpoilTheNext) {
+  Place place;
+  int count = 0;
+  const Settings settings{.directory = place.path};
+  std::ofstream(place.path / "s.runs.jsonl") << "{\"program\": \"12";
+  run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
+  run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
+  EXPECT_EQ(count, 1);
+}
+
+TEST(KeptRuns, TwoOfOneKeyAreRefused) {
+  int count = 0;
+  EXPECT_THROW(run_tasks("s", {}, {task("a", {}, count), task("a", {}, count)}), std::logic_error);
+}
+
+// ---- what the page rests on ----
+
+TEST(Evidence, AllInTheTreeCanBeShown) {
+  EXPECT_EQ(unusable_faults(reference("faults.json")), "");
+  for (const std::string& name : studies_of_the_page())
+    EXPECT_EQ(unusable_study(reference("studies/" + name + ".json")), "");
+}
+
+TEST(Evidence, AMissingStudyOrFaultFileIsNamed) {
+  Place place;
+  const auto missing =
+      missing_evidence({place.path / "checks.json", place.path / "faults.json", place.path / "studies"});
+  ASSERT_EQ(missing.size(), 2 + studies_of_the_page().size());
+  EXPECT_EQ(missing[0], "cannot read " + (place.path / "checks.json").string());
+  EXPECT_EQ(missing_evidence({}).size(), 0u) << "what was not asked for is not missing";
+}
+
+TEST(Evidence, EveryWayToSpoilAStudyIsNamed) {
+  const std::vector<Way> ways{{"a list", [](Json& s) { s = Json::array(); }},
+                              {"empty", [](Json& s) { s = Json::object(); }},
+                              {"of another study", [](Json& s) { s["study"] = "order"; }},
+                              {"of the quick form", [](Json& s) { s["form"] = "quick"; }},
+                              {"no form", [](Json& s) { s.erase("form"); }},
+                              {"no parts", [](Json& s) { s["parts"] = Json::array(); }},
+                              {"no title", [](Json& s) { s.erase("title"); }},
+                              {"title is a number", [](Json& s) { s["title"] = 1; }}};
+  Place place;
+  const Json sound = json_of(reference("studies/outlook.json"));
+  const fs::path file = place.path / "outlook.json";
+  for (const Way& way : ways) {
+    Json spoilt = sound;
+    way.spoil(spoilt);
+    if (spoilt.is_object()) seal(spoilt);
+    write(file, spoilt);
+    EXPECT_NE(unusable_study(file), "") << way.name;
+  }
+  Json changed = sound;
+  changed["claims"] = Json::array();
+  write(file, changed);
+  EXPECT_NE(unusable_study(file), "") << "claims taken out";
+  std::ofstream(file) << sound.dump().substr(0, 200);
+  EXPECT_NE(unusable_study(file), "") << "cut short";
+}
+
+Json sound_checks() {
+  Json all{{"tests", 1},
+           {"missing", Json::array()},
+           {"checks", {{{"test", "A.B"}, {"requirement", "r"}, {"good", true}, {"error", 0.1}, {"tolerance", 0.2}}}}};
+  seal(all);
+  return all;
+}
+
+TEST(Evidence, EveryWayToSpoilTheChecksIsNamed) {
+  const std::vector<Way> ways{
+      {"no checks", [](Json& c) { c["checks"] = Json::array(); }},
+      {"the suite has faults", [](Json& c) { c["missing"].push_back("A.C left no record"); }},
+      {"good beyond its tolerance", [](Json& c) { c["checks"][0]["error"] = 0.3; }},
+      {"good with an error that is not finite", [](Json& c) { c["checks"][0]["error"] = "nan"; }},
+      {"good is text", [](Json& c) { c["checks"][0]["good"] = "true"; }},
+      {"no test", [](Json& c) { c["checks"][0].erase("test"); }},
+      {"a check is null", [](Json& c) { c["checks"][0] = nullptr; }}};
+  Place place;
+  const fs::path file = place.path / "checks.json";
+  write(file, sound_checks());
+  EXPECT_EQ(unusable_checks(file), "");
+  for (const Way& way : ways) {
+    Json spoilt = sound_checks();
+    way.spoil(spoilt);
+    seal(spoilt);
+    write(file, spoilt);
+    EXPECT_NE(unusable_checks(file), "") << way.name;
+  }
+}
+
+TEST(Evidence, AFaultThatWasNotNoticedOrNotTriedIsNamed) {
+  const std::vector<Way> ways{{"none", [](Json& f) { f["results"] = Json::array(); }},
+                              {"not noticed", [](Json& f) { f["results"][0]["failed"] = Json::array(); }},
+                              {"trouble", [](Json& f) { f["results"][0]["trouble"] = "does not build"; }},
+                              {"without a name", [](Json& f) { f["results"][0].erase("name"); }}};
+  Place place;
+  const fs::path file = place.path / "faults.json";
+  for (const Way& way : ways) {
+    Json spoilt = json_of(reference("faults.json"));
+    way.spoil(spoilt);
+    seal(spoilt);
+    write(file, spoilt);
+    EXPECT_NE(unusable_faults(file), "") << way.name;
+  }
+}
+
+// ---- figures ----
+
+TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
+  Place place;
+  const std::string path = std::getenv("PATH");
+  const fs::path svg = place.path / "x.svg";
+  for (const std::string body : {"", "echo '<svg' > " + svg.string()}) {
+    std::ofstream(svg) << "<svg>old</svg>";
+    std::ofstream(place.path / "gnuplot") << "#!/bin/sh\n" << body << "\nexit 0\n";
+    fs::permissions(place.path / "gnuplot", fs::perms::owner_all);
+    setenv("PATH", (place.path.string() + ":" + path).c_str(), 1);
+    EXPECT_THROW(draw({}, "plot x", svg, "x"), std::runtime_error) << body;
+    setenv("PATH", path.c_str(), 1);
+  }
+}
+
+}  // namespace
+}  // namespace furrow::studies

@@ -1,0 +1,108 @@
+#include "page/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "output/files.h"
+#include "page/seal.h"
+
+namespace furrow {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+std::string text_in(const ordered_json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+const ordered_json& list_in(const ordered_json& object, const char* key) {
+  static const ordered_json none = ordered_json::array();
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? *found : none;
+}
+
+// Empty if `check` finds nothing wrong with the file's content.
+template <class Check>
+std::string unusable(const fs::path& file, const Check& check) {
+  try {
+    const std::string why = check(read_sealed(file));
+    return why.empty() ? "" : file.string() + ": " + why;
+  } catch (const FileError& error) {
+    return error.what();
+  }
+}
+
+// What a study says of itself must fit its name; a study without claims claims nothing.
+std::string unfit_study(const ordered_json& study, const std::string& name) {
+  if (text_in(study, "study") != name) return "is not the study " + name;
+  if (text_in(study, "form") != "full") return "is of the quick form; run: furrow study " + name;
+  for (const char* key : {"title", "question", "commit", "compiler", "machine"}) {
+    if (text_in(study, key).empty()) return std::string("does not say its ") + key;
+  }
+  if (list_in(study, "parts").empty()) return "has nothing to show";
+  return {};
+}
+
+// Whether a check is good follows from what it says.
+bool consistent(const ordered_json& check) {
+  if (!check.is_object() || text_in(check, "test").empty() || text_in(check, "requirement").empty()) return false;
+  const auto good = check.find("good"), error = check.find("error"), limit = check.find("tolerance");
+  if (good == check.end() || !good->is_boolean() || error == check.end() || limit == check.end()) return false;
+  const bool within = error->is_number() && limit->is_number() && error->get<double>() <= limit->get<double>();
+  return good->get<bool>() == within;
+}
+
+std::string unfit_checks(const ordered_json& all) {
+  const ordered_json& checks = list_in(all, "checks");
+  if (checks.empty()) return "holds no checks";
+  if (const auto missing = list_in(all, "missing"); !missing.empty())
+    return std::to_string(missing.size()) + " faults of the suite, the first: " +
+           (missing[0].is_string() ? missing[0].get<std::string>() : missing[0].dump());
+  const auto bad = std::find_if(checks.begin(), checks.end(), [](const ordered_json& c) { return !consistent(c); });
+  return bad == checks.end() ? "" : "check " + std::to_string(bad - checks.begin()) + " contradicts itself";
+}
+
+std::string unfit_faults(const ordered_json& study) {
+  const ordered_json& results = list_in(study, "results");
+  if (results.empty()) return "holds no faults";
+  for (const ordered_json& result : results) {
+    const std::string name = result.is_object() ? text_in(result, "name") : "";
+    if (name.empty()) return "a fault without a name";
+    if (result.contains("trouble")) return name + " could not be tried: " + text_in(result, "trouble");
+    if (text_in(result, "kind") == "fault" && list_in(result, "failed").empty()) return name + " was not noticed";
+    if (text_in(result, "kind") == "constant" && !result.contains("smallest_noticed")) return name + " was not noticed";
+  }
+  return {};
+}
+
+}  // namespace
+
+const std::vector<std::string>& studies_of_the_page() {
+  static const std::vector<std::string> all{"convergence", "statements", "ensemble",       "geometry", "outlook",
+                                            "order",       "stability",  "work_precision", "need",     "speed"};
+  return all;
+}
+
+std::string unusable_study(const fs::path& file) {
+  return unusable(file, [&](const ordered_json& study) { return unfit_study(study, file.stem()); });
+}
+
+std::string unusable_checks(const fs::path& file) { return unusable(file, unfit_checks); }
+std::string unusable_faults(const fs::path& file) { return unusable(file, unfit_faults); }
+
+std::vector<std::string> missing_evidence(const Evidence& evidence) {
+  std::vector<std::string> all;
+  const auto note = [&](const std::string& why) {
+    if (!why.empty()) all.push_back(why);
+  };
+  if (!evidence.checks.empty()) note(unusable_checks(evidence.checks));
+  if (!evidence.faults.empty()) note(unusable_faults(evidence.faults));
+  if (evidence.studies.empty()) return all;
+  for (const std::string& name : studies_of_the_page()) note(unusable_study(evidence.studies / (name + ".json")));
+  return all;
+}
+
+}  // namespace furrow

@@ -1,0 +1,32 @@
+// What the page rests on besides the runs: the checks, the fault study, the studies. Whether they are all there and
+// whole.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+// Where the results are. A path that is empty was not asked for; the page says that it has none.
+struct Evidence {
+  std::filesystem::path checks;     // checks.json, written by the verification tests
+  std::filesystem::path faults;     // faults.json, written by the fault study
+  std::filesystem::path studies{};  // directory of the results of `furrow study`
+};
+
+// The studies that a page shows, in the order in which a reader wants them. The first comes before the scenes: it says
+// how their numbers are to be taken.
+const std::vector<std::string>& studies_of_the_page();
+
+// What is wrong with a file; empty if it can be shown.
+std::string unusable_study(const std::filesystem::path& file);
+std::string unusable_checks(const std::filesystem::path& file);
+std::string unusable_faults(const std::filesystem::path& file);
+
+// A sentence for each file that was asked for and is missing, cut, changed, of a short form or says that something
+// failed. Empty: the page has all that it should have.
+std::vector<std::string> missing_evidence(const Evidence& evidence);
+
+}  // namespace furrow

@@ -1,0 +1,28 @@
+// The ensemble that an earlier `furrow ensemble` left, taken only if it is whole and this program's.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "studies/members.h"
+
+namespace furrow::studies {
+
+using Groups = std::map<std::string, std::vector<Json>>;  // "scenario_2 disc": its members, by seed
+
+// What is wrong with the result of an ensemble, its seal, form, groups, numbers of members and what each says; empty if
+// nothing is.
+std::string unusable_ensemble(const Json& kept);
+
+// Runs the first member of a group again and compares all its numbers to the bit with the kept ones: only this shows
+// that the same scene, settings and model made them. Returns the first that differs, empty if none does.
+std::string other_member(const std::string& group, const Json& kept_first);
+
+// Those of `groups` in directory/ensemble.json, all if none are named. Throws FileError: no file, not usable, or made
+// by another scene or model.
+Groups kept_ensemble(const std::filesystem::path& directory, const std::vector<std::string>& groups = {});
+
+}  // namespace furrow::studies
