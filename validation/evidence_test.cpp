@@ -287,7 +287,7 @@ TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
   Place place;
   const std::string path = std::getenv("PATH");
   const fs::path svg = place.path / "x.svg";
-  for (const std::string body : {"", "echo '<svg' > " + svg.string()}) {
+  for (const std::string& body : std::vector<std::string>{"", "echo '<svg' > " + svg.string()}) {
     std::ofstream(svg) << "<svg>old</svg>";
     std::ofstream(place.path / "gnuplot") << "#!/bin/sh\n" << body << "\nexit 0\n";
     fs::permissions(place.path / "gnuplot", fs::perms::owner_all);
