@@ -66,7 +66,7 @@ Work rhs_of(const std::shared_ptr<Ready>& r, double t) {
     hash.add(r->dydt);
     return hash.sum();
   };
-  const double later = t + 1e-9;  // s: the jump map remembers the rates of its own time, which would be no work
+  const double later = t + 1e-9;  // s: the accepted answers are of this time
   return {.run = times([r, later] { r->system.rhs(later, r->y, r->dydt); }), .answer = answer, .error = {}};
 }
 
