@@ -70,7 +70,8 @@ void requirement(const std::string& id) { Records::instance().requirement_ = id;
 void expect(const std::string& name, double got, double want, const Tolerance& tolerance, const char* file, int line) {
   const bool is_relative = tolerance.kind == Tolerance::Kind::relative;
   const double error = got == want ? 0 : std::fabs(got - want) / (is_relative ? std::fabs(want) : 1);
-  const bool good = error <= tolerance.value;  // false for NaN
+  // What is not finite is nothing to compare with, and no tolerance that lets everything pass is one.
+  const bool good = std::isfinite(want) && std::isfinite(tolerance.value) && error <= tolerance.value;
   nlohmann::ordered_json record;
   record["name"] = name;
   record["want"] = json_number(want);

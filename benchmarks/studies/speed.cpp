@@ -120,7 +120,7 @@ void add_limit(Report& report) {
     all_over = whole / bound;
     rows.push_back({width, bound, law, whole, law / bound, whole / bound});
   }
-  if (rows.empty()) return;
+  if (rows.empty()) return not_measured(report, "the machine's limit", "scripts/rivals");
   report.heading("How close to the machine's limit");
   report.text(
       "How fast could any program be here? A contact cannot do without two square roots, one division and some sixty "

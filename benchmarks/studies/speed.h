@@ -18,6 +18,9 @@ void add_tracking(Report& report);
 // machines.
 void name_also(std::string& machines, const Json& google);
 
+// What the page should show and nobody measured is a claim that does not hold.
+void not_measured(Report& report, const std::string& what, const std::string& by);
+
 std::string in_digits(double value, int digits);
 
 // Of least, middle and most: "1.6 [1.56, 1.72]".

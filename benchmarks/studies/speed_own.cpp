@@ -42,11 +42,15 @@ std::string spread(const Json& three) {
   return part(1) + " [" + part(0) + ", " + part(2) + "]";
 }
 
+void not_measured(Report& report, const std::string& what, const std::string& by) {
+  report.claim("Measured: " + what + ", by " + by + ".", false);
+}
+
 // ---- where the instructions go: scripts/track --profile ----
 
 void add_profile(Report& report) {
   const Json profile = read_if_there("profile.json");
-  if (profile.is_null()) return;
+  if (profile.is_null()) return not_measured(report, "where the instructions go", "scripts/track --profile");
   const Json& scenes = profile.at("scenes");
   std::vector<std::vector<Json>> rows;
   Json dots = Json::array();
@@ -150,6 +154,7 @@ void add_scale(Report& report) {
                        settling("cpu_time", 1e-3), settling("real_time", 1e-3), settling("model_seconds", 1),
                        settling("steps", 1)});
   }
+  if (times.size() < 4) not_measured(report, "all four beds", "scripts/scale");
   if (times.empty()) return;
   report.heading("How many discs");
   report.text(
@@ -233,7 +238,7 @@ void add_tracking(Report& report) {
   std::ifstream file(speed_results / "track.jsonl");
   std::vector<Json> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(Json::parse(line));
-  if (lines.empty()) return;
+  if (lines.empty()) return not_measured(report, "any commit", "scripts/track");
   constexpr std::size_t shown = 4;  // commits in the table
   const Json& last = lines.back();
   std::vector<std::string> head{"kernel"};

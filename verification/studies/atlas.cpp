@@ -44,8 +44,12 @@ Json boundary_of(const Scheme& scheme) {
 
 double worst_deviation(const AtlasEntry& e) {
   double worst = 0;
-  for (const AtlasLimit& l : e.limits)
-    worst = std::max({worst, std::fabs(l.spring / l.theory - 1), std::fabs(l.contact / l.theory - 1)});
+  for (const AtlasLimit& l : e.limits) {
+    for (const double measured : {l.spring, l.contact}) {
+      const double off = std::fabs(measured / l.theory - 1);
+      worst = std::max(worst, std::isnan(off) ? HUGE_VAL : off);
+    }
+  }
   return worst;
 }
 
@@ -184,7 +188,7 @@ void report_atlas(Report& report, const std::vector<AtlasEntry>& atlas, const st
   report.claim(
       "The solver blows up within 1 % of the step that the amplification factor says: " + std::to_string(measured) +
           " measurements, off by " + percent(worst) + " at worst (" + worst_of + ").",
-      worst < 0.01);
+      measured > 0 && !worst_of.empty() && worst < 0.01);
   report.text("Not in the atlas, since they choose their own step or have no theory written down here: " +
               joined(methods_outside(atlas)) + ".");
 }

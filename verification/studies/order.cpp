@@ -154,7 +154,7 @@ void blind_claim(Report& report, const Observations& all) {
           list +
           "). A scene with friction or tears needs a largest step, or events "
           "that are located.",
-      blind);
+      blind && !list.empty());
 }
 
 Json numbers(const Observations& all) {
