@@ -41,9 +41,10 @@ TEST(Gate, EveryWayToSpoilEitherSideFails) {
     way.spoil(spoilt);
     EXPECT_EQ(both(spoilt, sound()), failed) << way.name << " accepted";
     EXPECT_EQ(both(sound(), spoilt), failed) << way.name << " now";
-    if (std::string(way.name).find("kernel") == std::string::npos)
-      EXPECT_EQ(both(spoilt, spoilt) == good, std::string(way.name) == "another answer")
-          << way.name << " on both sides";
+    const std::string name = way.name;
+    if (name.find("kernel") != std::string::npos || name == "another answer")
+      continue;  // the same on both sides is good
+    EXPECT_EQ(both(spoilt, spoilt), failed) << name << " on both sides";
   }
 }
 
