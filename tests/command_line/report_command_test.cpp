@@ -7,6 +7,7 @@
 
 #include "methods/method.h"
 #include "outside.h"
+#include "page/seal.h"
 
 namespace {
 
@@ -34,12 +35,14 @@ class Judging : public furrow::test::Outside {
   }
 
   void write_checks(bool good) const {
-    const nlohmann::json check{{"test", "A.B"},       {"name", "a number"},  {"requirement", "x.y"},
-                               {"want", 1},           {"got", good ? 1 : 2}, {"error", good ? 0 : 1},
-                               {"tolerance", 0.5},    {"kind", "absolute"},  {"of_limit", good ? 0 : 2},
-                               {"reason", "because"}, {"sentence", "it is"}, {"file", "here"},
-                               {"good", good}};
-    std::ofstream(directory_ / "checks.json") << nlohmann::json::array({check});
+    const nlohmann::ordered_json check{{"test", "A.B"},       {"name", "a number"},  {"requirement", "x.y"},
+                                       {"want", 1},           {"got", good ? 1 : 2}, {"error", good ? 0 : 1},
+                                       {"tolerance", 0.5},    {"kind", "absolute"},  {"of_limit", good ? 0 : 2},
+                                       {"reason", "because"}, {"sentence", "it is"}, {"file", "here"},
+                                       {"good", good}};
+    nlohmann::ordered_json all{{"tests", 1}, {"missing", nlohmann::ordered_json::array()}, {"checks", {check}}};
+    furrow::seal(all);
+    std::ofstream(directory_ / "checks.json") << all;
   }
 };
 
@@ -71,6 +74,31 @@ TEST_F(Judging, AReportReusesWhatFinishedAndNothingElse) {
   EXPECT_EQ(nlohmann::json::parse(text_of(run(2)))["ended"], "finished");
   ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
   EXPECT_NE(written(1), first);
+}
+
+TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
+  ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
+  const fs::path file = directory_ / "page/scenario_2/run.json";
+  const std::string sound = text_of(file);
+  for (const char* key : {"scene_hash", "method", "step", "sources", "compiler", "flags"}) {
+    auto json = nlohmann::json::parse(sound);
+    json[key] = "another";
+    std::ofstream(file) << json.dump(2);
+    ASSERT_EQ(furrow("report --scenes scenes --out page --reuse"), 0) << err();
+    EXPECT_NE(err().find("page/scenario_2: run again: " + std::string(key) + " is \"another\""), std::string::npos)
+        << err();
+    EXPECT_EQ(nlohmann::json::parse(text_of(file))[key], nlohmann::json::parse(sound)[key]);
+  }
+}
+
+TEST_F(Judging, AReportNamesWhatIsMissingAndEndsWithOne) {
+  fs::create_directory(directory_ / "studies");
+  EXPECT_EQ(furrow("report --scenes scenes --out page --studies studies --faults faults.json"), 1);
+  const std::string page = text_of(directory_ / "page/index.html");
+  for (const char* file : {"faults.json", "studies/order.json", "studies/ensemble.json"}) {
+    EXPECT_NE(err().find("missing on the page: cannot read " + std::string(file)), std::string::npos) << err();
+    EXPECT_NE(page.find("cannot read " + std::string(file)), std::string::npos) << file;
+  }
 }
 
 TEST_F(Judging, AReportOfARunThatDivergedExitsThreeAndSaysWhich) {
