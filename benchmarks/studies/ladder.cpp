@@ -30,8 +30,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-Point measured(const std::vector<Effort>& phases, const Case& scene, const Reference& reference) {
-  Point point;
+Rung measured(const std::vector<Effort>& phases, const Case& scene, const Reference& reference) {
+  Rung point;
   std::vector<double> cpu;
   std::vector<long> evaluations;
   double spent = 0;
@@ -114,7 +114,7 @@ Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, co
       effort.step = scene.span.interval / std::max(1.0, std::round(scene.span.interval / setting));
       if (nominal_evaluations(method, scene, effort.step) > static_cast<double>(most)) break;
     }
-    Point point;
+    Rung point;
     try {
       point = measured(phases_of(effort, info, scene, method.controlled), scene, reference);
     } catch (const std::invalid_argument& reason) {
@@ -133,7 +133,7 @@ Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, co
 
 Json json_of(const Ladder& ladder) {
   Json points = Json::array();
-  for (const Point& p : ladder.points) {
+  for (const Rung& p : ladder.points) {
     Json one = {{"setting", rounded(p.setting)}, {"evaluations", rounded(p.evaluations)}};
     if (p.failure.empty()) {
       one.update({{"place", rounded(p.error.place)},
@@ -157,7 +157,7 @@ Ladder ladder_from(const Json& json) {
                 .locate = static_cast<Locate>(json.at("locate").get<int>()),
                 .left_out = json.value("left_out", "")};
   for (const Json& p : json.at("points")) {
-    Point point{.setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
+    Rung point{.setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
     point.error = {p.value("place", 0.0), p.value("force", 0.0)};
     point.cpu = p.value("cpu", 0.0);
     point.cpu_least = p.value("cpu_least", 0.0);
@@ -167,10 +167,10 @@ Ladder ladder_from(const Json& json) {
   return ladder;
 }
 
-double cost_at(const Ladder& ladder, double error, bool by_force, double Point::*cost) {
+double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*cost) {
   double reached = NAN;
   for (std::size_t k = ladder.points.size(); k-- > 0;) {
-    const Point& p = ladder.points[k];
+    const Rung& p = ladder.points[k];
     if (!p.failure.empty() && std::isnan(reached)) continue;  // given up at the fine end
     if (!p.failure.empty()) break;
     if (p.error_by(by_force) <= error) {
@@ -178,7 +178,7 @@ double cost_at(const Ladder& ladder, double error, bool by_force, double Point::
       continue;
     }
     if (std::isnan(reached)) return reached;
-    const Point& finer = ladder.points[k + 1];
+    const Rung& finer = ladder.points[k + 1];
     const double at =
         std::log(p.error_by(by_force) / error) / std::log(p.error_by(by_force) / finer.error_by(by_force));
     return p.*cost * std::pow(finer.*cost / p.*cost, at);

@@ -6,7 +6,7 @@
 
 namespace furrow::studies {
 
-struct Point {
+struct Rung {
   double setting = 0;                           // s, step; of a controlled method the relative tolerance
   Error error{};                                // root mean square over the phases
   double evaluations = 0;                       // mean over the phases
@@ -19,8 +19,8 @@ struct Point {
 struct Ladder {
   std::string method;
   Locate locate = Locate::none;
-  std::string left_out{};       // why the method cannot run here
-  std::vector<Point> points{};  // from coarse to fine
+  std::string left_out{};      // why the method cannot run here
+  std::vector<Rung> points{};  // from coarse to fine
   std::string name() const { return method + (locate == Locate::tears ? " +t" : locate == Locate::all ? " +e" : ""); }
 };
 
@@ -37,6 +37,6 @@ Ladder ladder_from(const Json& json);
 
 // Cost at an error that the method keeps with every finer setting that was tried: between two points along the straight
 // line in logarithms. NaN if it does not get there.
-double cost_at(const Ladder& ladder, double error, bool by_force, double Point::*cost);
+double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*cost);
 
 }  // namespace furrow::studies

@@ -9,7 +9,7 @@ namespace furrow::studies {
 namespace {
 
 constexpr double useless = 1;  // an error as large as what happens
-constexpr std::array<double Point::*, 2> costs{&Point::evaluations, &Point::cpu};
+constexpr std::array<double Rung::*, 2> costs{&Rung::evaluations, &Rung::cpu};
 constexpr std::array<const char*, 2> cost_names{"evaluations", "cpu"};
 
 // Line styles of the script work_precision.gp, in its order.
@@ -62,10 +62,10 @@ struct Curve {
 
 void add(Curve& curve, const Ladder& ladder, bool by_force) {
   double each = NAN;  // s, of CPU an evaluation
-  for (const Point& p : ladder.points) {
+  for (const Rung& p : ladder.points) {
     if (p.failure.empty()) each = p.cpu / p.evaluations;
   }
-  for (const Point& p : ladder.points) {
+  for (const Rung& p : ladder.points) {
     const bool failed = !p.failure.empty() || p.error_by(by_force) > useless;
     if (failed) {
       curve.failures[0].push_back(p.evaluations);
@@ -113,7 +113,7 @@ Json digits(double value) {
 
 }  // namespace
 
-Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders, double floor, const Point* paper) {
+Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders, double floor, const Rung* paper) {
   Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
   figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
                    " against evaluations and CPU time. Crosses: the run failed, or its error is above 1. Grey: the "

@@ -6,6 +6,6 @@
 namespace furrow::studies {
 
 // `paper`: the paper's setting, a star; may be null.
-Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders, double floor, const Point* paper);
+Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders, double floor, const Rung* paper);
 
 }  // namespace furrow::studies

@@ -28,7 +28,7 @@ struct Cheapest {
   double cost = NAN;
 };
 
-Cheapest cheapest_at(const Found& found, double error, double Point::*cost) {
+Cheapest cheapest_at(const Found& found, double error, double Rung::*cost) {
   Cheapest best;
   for (const Ladder& ladder : found.ladders) {
     const double its = cost_at(ladder, error, found.info.by_force, cost);
@@ -42,8 +42,8 @@ const Ladder& paper_ladder(const Found& found) {
 }
 
 // The paper's method at the paper's step, or nothing if that failed.
-const Point* paper_point(const Found& found) {
-  for (const Point& p : paper_ladder(found).points) {
+const Rung* paper_point(const Found& found) {
+  for (const Rung& p : paper_ladder(found).points) {
     if (std::fabs(p.setting / paper_step - 1) < 1e-6 && p.failure.empty()) return &p;
   }
   return nullptr;
@@ -119,7 +119,7 @@ std::vector<Found> all_runs(const Settings& settings, const std::vector<CaseInfo
 // A line a point: the result is to be read in a diff.
 Json lines_of(const Ladder& ladder) {
   Json lines = Json::array();
-  for (const Point& p : ladder.points) {
+  for (const Rung& p : ladder.points) {
     std::string line = shown(p.setting, "%.6g") + " " + shown(p.evaluations, "%.8g");
     for (const double value : {p.error.place, p.error.force, p.cpu, p.cpu_least, p.cpu_most})
       line += " " + shown(value, "%.4g");
@@ -134,14 +134,14 @@ Json lines_of(const Ladder& ladder) {
 void add_gains(Report& report, const std::vector<Found>& all) {
   std::vector<std::vector<Json>> rows;
   for (const Found& f : all) {
-    const Point* paper = paper_point(f);
+    const Rung* paper = paper_point(f);
     std::vector<std::pair<std::string, double>> asked;
     if (paper)
       asked.emplace_back(shown(paper->error_by(f.info.by_force)) + ", the paper's", paper->error_by(f.info.by_force));
     for (const double target : targets) asked.emplace_back(shown(target), target);
     for (const auto& [words, error] : asked) {
       std::vector<Json> row{f.info.name, words};
-      for (const auto cost : {&Point::evaluations, &Point::cpu}) {
+      for (const auto cost : {&Rung::evaluations, &Rung::cpu}) {
         const bool blind = error < floor_of(f);
         const Cheapest best = blind ? Cheapest{} : cheapest_at(f, error, cost);
         const double own = paper && error == paper->error_by(f.info.by_force)
@@ -212,14 +212,14 @@ void add_bound(Report& report, const Found& f, double papers) {
 }
 
 void add_paper(Report& report, const Found& f) {
-  const Point* paper = paper_point(f);
+  const Rung* paper = paper_point(f);
   if (!paper) {
     report.claim(f.info.name + ": the paper's setting comes to the end", false);
     return;
   }
   const double error = paper->error_by(f.info.by_force);
-  const Cheapest by_count = cheapest_at(f, error, &Point::evaluations);
-  const Cheapest by_cpu = cheapest_at(f, error, &Point::cpu);
+  const Cheapest by_count = cheapest_at(f, error, &Rung::evaluations);
+  const Cheapest by_cpu = cheapest_at(f, error, &Rung::cpu);
   const double count = by_count.cost / paper->evaluations;
   const double cpu = by_cpu.cost / paper->cpu;
   const bool third = count <= 1.0 / 3 && cpu <= 1.0 / 3;
@@ -236,7 +236,7 @@ void add_failures(Report& report, const Found& f) {
   for (const Ladder& l : f.ladders) {
     if (!l.left_out.empty()) left_out += " " + l.name() + " is left out: " + l.left_out + ".";
     const auto finest =
-        std::find_if(l.points.rbegin(), l.points.rend(), [](const Point& p) { return !p.failure.empty(); });
+        std::find_if(l.points.rbegin(), l.points.rend(), [](const Rung& p) { return !p.failure.empty(); });
     if (finest == l.points.rend()) continue;
     failed += (failed.empty() ? "" : ", ") + l.name() + " " + shown(finest->setting);
     if (example.empty()) example = l.name() + " at " + shown(finest->setting) + ": " + finest->failure;
@@ -272,7 +272,7 @@ Json work_precision(const Settings& settings) {
   add_gains(report, all);
   for (const Found& f : all) {
     report.heading(f.info.name + ": " + f.info.title);
-    const Point* paper = paper_point(f);
+    const Rung* paper = paper_point(f);
     report.figure(precision_chart(f.info, f.ladders, floor_of(f), paper));
     add_failures(report, f);
   }

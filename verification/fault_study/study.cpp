@@ -23,6 +23,9 @@
 #include <thread>
 
 #include "fault_study/faults.h"
+#include "measuring/process.h"
+#include "output/files.h"
+#include "page/seal.h"
 
 namespace furrow::verification {
 namespace {
@@ -39,11 +42,9 @@ struct Options {
 };
 
 std::string commit_of(const fs::path& tree) {
-  std::string commit;
-  std::FILE* git = popen(("git -C '" + tree.string() + "' describe --always --dirty 2>/dev/null").c_str(), "r");
-  for (int letter = 0; git != nullptr && (letter = std::fgetc(git)) > ' ';) commit += static_cast<char>(letter);
-  if (git != nullptr) pclose(git);
-  return commit.empty() ? "unknown" : commit;
+  const measuring::Ran git = measuring::run({.words = {"git", "-C", tree, "describe", "--always", "--dirty"}});
+  const std::string commit = git.output.substr(0, git.output.find('\n'));
+  return git.status != 0 || commit.empty() ? "unknown" : commit;
 }
 
 constexpr const char* turn_names[] = {"always", "methods", "costly"};
@@ -287,7 +288,7 @@ int main_of(int argc, char** argv) {
   std::vector<std::string> names;
   for (const Fault& fault : faults.all) names.push_back(fault.name);
   ordered_json earlier = ordered_json::object();
-  if (!options.into.empty()) earlier = ordered_json::parse(std::ifstream(options.into));
+  if (!options.into.empty()) earlier = read_sealed(options.into);
   std::erase_if(faults.all, [&](const Fault& f) {
     return (options.quick && f.quick.empty()) || (!options.only.empty() && options.only.count(f.name) == 0);
   });
@@ -301,7 +302,11 @@ int main_of(int argc, char** argv) {
   study.try_all(false, options.jobs);
   study.try_all(true, options.jobs);
   const fs::path result = places.work / "faults.json";
-  std::ofstream(result) << study.report(earlier).dump(1) << "\n";
+  ordered_json report = study.report(earlier);
+  seal(report);
+  OutputFile file(result);
+  file << report.dump(1) << "\n";
+  file.finish();
   std::printf("%zu tried, %d not noticed or in trouble; %s\n", count, study.bad(), result.c_str());
   return study.bad() == 0 ? 0 : 1;
 }

@@ -2,22 +2,32 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
 
+#include "measuring/process.h"
+
 namespace furrow::verification {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+// Whether the program ends well; what it says goes into `log`. No shell reads the names.
+bool succeeds(measuring::Command command, const fs::path& log) {
+  fs::remove(log);
+  command.errors = log;
+  const measuring::Ran ran = measuring::run(command);
+  std::ofstream(log, std::ios::binary | std::ios::app) << ran.output;
+  return ran.status == 0;
+}
 
-bool succeeds(const std::string& command, const fs::path& log) {
-  return std::system((command + " >" + quoted(log) + " 2>&1").c_str()) == 0;
+bool can_start(const std::string& program) try {
+  return measuring::run({.words = {program, "--version"}}).status == 0;
+} catch (const std::runtime_error&) {
+  return false;
 }
 
 // Only what differs is written, so that nothing else is built anew.
@@ -110,13 +120,13 @@ Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs,
 }
 
 void Workshop::configure() {
-  const bool cached = std::system("command -v ccache >/dev/null") == 0;
   const fs::path log = home_ / "configure.log";
-  if (!succeeds("cmake -S " + quoted(places_.tree / "verification/fault_study") + " -B " + quoted(home_ / "build") +
-                    " -G Ninja -DCMAKE_BUILD_TYPE=Release -DTREE=" + quoted(home_ / "tree") +
-                    " -DSOURCE_DIR=" + quoted(places_.tree) + " -DBUILD=" + quoted(places_.sound_build) +
-                    (cached ? " -DCMAKE_CXX_COMPILER_LAUNCHER=ccache" : ""),
-                log)) {
+  measuring::Command cmake{.words = {"cmake", "-S", places_.tree / "verification/fault_study", "-B", home_ / "build",
+                                     "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTREE=" + (home_ / "tree").string(),
+                                     "-DSOURCE_DIR=" + places_.tree.string(),
+                                     "-DBUILD=" + places_.sound_build.string()}};
+  if (can_start("ccache")) cmake.words.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
+  if (!succeeds(cmake, log)) {
     throw std::runtime_error("the copy cannot be configured, see " + log.string());
   }
   configured_ = true;
@@ -141,9 +151,10 @@ void Workshop::put(const Change& change) {
 void Workshop::build() {
   if (!configured_) configure();
   const fs::path log = home_ / "build.log";
-  if (!succeeds("CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=" + quoted(home_) + " cmake --build " + quoted(home_ / "build") +
-                    " --target " + target_ + " -j " + std::to_string(jobs_),
-                log)) {
+  const measuring::Command cmake{
+      .words = {"cmake", "--build", home_ / "build", "--target", target_, "-j", std::to_string(jobs_)},
+      .environment = {"CCACHE_NOHASHDIR=1", "CCACHE_BASEDIR=" + home_.string()}};
+  if (!succeeds(cmake, log)) {
     throw std::runtime_error("does not build, see " + log.string());
   }
   built_ = true;
@@ -179,9 +190,10 @@ std::set<std::string> Workshop::run(const Page& page) const {
   const fs::path log = home_ / "run.log";
   fs::remove_all(home_ / "tmp");  // a page that was killed leaves its files
   fs::create_directories(home_ / "tmp");
-  succeeds("ulimit -t " + std::string(page.turn == Turn::costly ? "240" : "60") + "; ulimit -v 4000000; TMPDIR=" +
-               quoted(home_ / "tmp") + " FURROW_RECORDS_IN=" + quoted(home_ / "records") + " " +
-               quoted(home_ / "build" / target_) + " --gtest_filter=" + filter,
+  const std::string seconds = page.turn == Turn::costly ? "240" : "60";
+  succeeds({.words = {"prlimit", "--cpu=" + seconds, "--as=4096000000", home_ / "build" / target_,
+                      "--gtest_filter=" + filter},
+            .environment = {"TMPDIR=" + (home_ / "tmp").string(), "FURROW_RECORDS_IN=" + (home_ / "records").string()}},
            log);
   const std::string text = text_of(log);
   const auto tests_with = [&](const char* mark) {

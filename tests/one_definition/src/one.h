@@ -1,0 +1,9 @@
+#pragma once
+
+namespace furrow::studies {
+
+struct Point {
+  double step = 0;
+};
+
+}  // namespace furrow::studies
