@@ -31,6 +31,11 @@ class AdamsBashforth2 final : public Method {
   void restart() override { h_before_ = 0; }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    visit("h before", h_before_);
+    visit("rates before", before_);
+  }
+
   State now_, before_;
   double h_before_ = 0;  // s; 0: no history
 };

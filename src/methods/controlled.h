@@ -26,6 +26,13 @@ class ControlledMethod : public Method {
   ControlledMethod(MethodInfo info, const Tolerances& tolerances)
       : Method(std::move(info)), tolerances_(tolerances), proposal_(tolerances.first_step) {}
 
+  void remember(HistoryVisitor& visit) override {
+    visit("proposal", proposal_);
+    visit("last h", h_before_);
+    visit("last error", e_before_);
+    visit("steps", steps_);
+  }
+
   // Before the first try from (t, y).
   virtual void prepare(const OdeSystem& system, double t, const State& y) = 0;
   // Fills next_ and error_ by a step of h, and now_, if prepare did not.

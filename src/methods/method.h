@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/history.h"
 #include "methods/ode.h"
 
 namespace furrow {
@@ -59,6 +60,15 @@ class Method {
   // Where the last step started from, if the method has kept it: then y was left as it is until the step had succeeded.
   virtual const State* start() const { return nullptr; }
 
+  // All that is carried from one step to the next.
+  void history(HistoryVisitor& visit) {
+    visit("evaluations", evaluations_);
+    visit("rejections", rejections_);
+    visit("known at", known_at_);
+    if (!std::isnan(known_at_)) visit("known rates", known_);
+    remember(visit);
+  }
+
   const MethodInfo& info() const { return info_; }
   long evaluations() const { return evaluations_; }
   long rejections() const { return rejections_; }
@@ -83,6 +93,9 @@ class Method {
   long rejections_ = 0;
 
  private:
+  // The method's own part of its history. What each step fills before it reads it is no part of it.
+  virtual void remember(HistoryVisitor& /*visit*/) {}
+
   State known_;
   double known_at_ = NAN;  // s
 };

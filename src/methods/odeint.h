@@ -66,6 +66,8 @@ class ControlledOdeint : public Method {
   // next_ has become the state.
   virtual void accept() {}
 
+  void remember(HistoryVisitor& visit) override { visit("proposal", proposal_); }
+
   State next_;
 
  private:

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "methods/odeint.h"
+#include "methods/odeint_memory.h"
 
 namespace furrow {
 namespace {
@@ -36,6 +37,27 @@ template <template <class...> class RungeKutta>
 using Pair = odeint::controlled_runge_kutta<RungeKutta<State, double, State, double, LeadingNorm>, ErrorChecker>;
 using BulirschStoer = odeint::bulirsch_stoer<State, double, State, double, LeadingNorm>;
 
+}  // namespace
+
+struct Rejected {};
+struct First {};
+struct LastStep {};
+struct Order {};
+FURROW_REVEAL(BulirschStoer, bool, m_last_step_rejected, Rejected);
+FURROW_REVEAL(BulirschStoer, bool, m_first, First);
+FURROW_REVEAL(BulirschStoer, double, m_dt_last, LastStep);
+FURROW_REVEAL(BulirschStoer, std::size_t, m_current_k_opt, Order);
+
+namespace {
+
+// Of a stepper that has made a step: what it chooses its order by.
+void remember_order(BulirschStoer& stepper, HistoryVisitor& visit) {
+  visit("last rejected", reveal(stepper, Rejected{}));
+  visit("first", reveal(stepper, First{}));
+  visit("last h", reveal(stepper, LastStep{}));
+  visit("order", reveal(stepper, Order{}));
+}
+
 // f at the state is kept here, not in the stepper: a jump makes it worthless, and a first-same-as-last stepper would go
 // on with it.
 template <class Stepper>
@@ -55,6 +77,18 @@ class Controlled final : public ControlledOdeint {
   void state_changed() override { fresh_ = false; }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    ControlledOdeint::remember(visit);
+    visit("fresh", fresh_);
+    visit("rates", now_);
+    if constexpr (extrapolates) {
+      stepper_.adjust_size(now_);  // by itself it would begin again
+      if (!now_.empty()) remember_order(stepper_, visit);
+    } else {
+      stepper_ = made();
+    }
+  }
+
   Stepper made() const {
     if constexpr (extrapolates)
       return Stepper(tolerances_.absolute, tolerances_.relative);

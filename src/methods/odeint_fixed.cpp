@@ -10,11 +10,59 @@
 #include <boost/numeric/odeint/stepper/velocity_verlet.hpp>
 
 #include "methods/odeint.h"
+#include "methods/odeint_memory.h"
 
 namespace furrow {
+namespace odeint = boost::numeric::odeint;
+
+// Starts with steps of rk4, whose error of h^5 leaves order 5 as it is. The default starter of adams_bashforth, an
+// extrapolation, spoils its input when it works in place: order 1 for all.
+template <template <std::size_t, class...> class Stepper, std::size_t N>
+using Multistep = Stepper<N, State, double, State, double, odeint::range_algebra, odeint::default_operations,
+                          odeint::initially_resizer, odeint::runge_kutta4<State>>;
+template <std::size_t N>
+using Bashforth = Multistep<odeint::adams_bashforth, N>;
+template <std::size_t N>
+using BashforthMoulton = Multistep<odeint::adams_bashforth_moulton, N>;
+
+struct Started {};
+struct Predictor {};
+#define FURROW_REVEAL_MULTISTEP(N)                                        \
+  FURROW_REVEAL(Bashforth<N>, std::size_t, m_steps_initialized, Started); \
+  FURROW_REVEAL(BashforthMoulton<N>, Bashforth<N>, m_adams_bashforth, Predictor)
+FURROW_REVEAL_MULTISTEP(1);
+FURROW_REVEAL_MULTISTEP(2);
+FURROW_REVEAL_MULTISTEP(3);
+FURROW_REVEAL_MULTISTEP(4);
+FURROW_REVEAL_MULTISTEP(5);
+
 namespace {
 
-namespace odeint = boost::numeric::odeint;
+template <std::size_t N>
+Bashforth<N>& predictor(Bashforth<N>& stepper) {
+  return stepper;
+}
+template <std::size_t N>
+Bashforth<N>& predictor(BashforthMoulton<N>& stepper) {
+  return reveal(stepper, Predictor{});
+}
+
+// Of a multistep method: how many steps were made since the start, and the rates at them. The stepper is a new one
+// afterwards, with rooms for states of the size that is returned.
+template <class Stepper>
+std::size_t remember_rates(Stepper& stepper, HistoryVisitor& visit) {
+  Stepper after;
+  auto& from = predictor(stepper);
+  auto& to = predictor(after);
+  reveal(to, Started{}) = reveal(from, Started{});
+  visit("started", reveal(to, Started{}));
+  for (std::size_t k = 0; k < Stepper::steps; ++k) {
+    to.step_storage()[k].m_v = from.step_storage()[k].m_v;
+    visit("rates", to.step_storage()[k].m_v);
+  }
+  stepper = after;
+  return to.step_storage()[0].m_v.size();
+}
 
 // A stepper's rooms keep the size of the first state for good: another size takes a new stepper, or the heap suffers. A
 // history belongs to its step size: with another one ab<2..> and abm<3..> drop to first order, so they start again.
@@ -41,21 +89,20 @@ class Fixed final : public Method {
   }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    visit("h", h_);
+    if constexpr (requires { stepper_.reset(); }) size_ = remember_rates(stepper_, visit);
+  }
+
   Stepper stepper_;
   std::size_t size_ = 0;
   double h_ = 0;  // s
 };
 
-// Starts with steps of rk4, whose error of h^5 leaves order 5 as it is. The default starter of adams_bashforth, an
-// extrapolation, spoils its input when it works in place: order 1 for all.
-template <template <std::size_t, class...> class Stepper, std::size_t N>
-using Multistep = Fixed<Stepper<N, State, double, State, double, odeint::range_algebra, odeint::default_operations,
-                                odeint::initially_resizer, odeint::runge_kutta4<State>>>;
-
 template <std::size_t N>
 MethodEntry bashforth() {
   const std::string n = std::to_string(N);
-  return odeint_entry<Multistep<odeint::adams_bashforth, N>>(
+  return odeint_entry<Fixed<Bashforth<N>>>(
       {"odeint_ab" + n, "adams_bashforth<" + n + ">", static_cast<int>(N), 1, false});
 }
 
@@ -63,7 +110,7 @@ MethodEntry bashforth() {
 template <std::size_t N>
 MethodEntry bashforth_moulton() {
   const std::string n = std::to_string(N);
-  return odeint_entry<Multistep<odeint::adams_bashforth_moulton, N>>(
+  return odeint_entry<Fixed<BashforthMoulton<N>>>(
       {"odeint_abm" + n, "adams_bashforth_moulton<" + n + ">" + (N == 2 ? ": the paper's scheme" : ""),
        static_cast<int>(N), 2, false});
 }
@@ -101,6 +148,11 @@ class VelocityVerlet final : public Method {
   void state_changed() override { started_ = false; }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    visit("started", started_);
+    visit("rates of v", a_);
+  }
+
   odeint::velocity_verlet<State> stepper_;
   State q_, v_, a_, next_a_, rates_;  // v: velocities and z
   bool started_ = false;

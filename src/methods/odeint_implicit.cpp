@@ -108,9 +108,9 @@ struct Rodas : odeint::default_rosenbrock_coefficients<double> {
   const double d4 = -default_rosenbrock_coefficients::d4;  // hides that of the base
 };
 
-// Step control as by Hairer and Wanner 1996, section IV.7, in the root mean square of the numbers that count;
-// rosenbrock4_controller would let the energy ledger steer. The stepper does not look whether its matrix is singular:
-// what then comes out is not finite, and rejected.
+// Step control as by Hairer and Wanner 1996, section IV.7, in the root mean square of the numbers that count, per
+// number that lasts; rosenbrock4_controller would let the energy ledger steer. The stepper does not look whether its
+// matrix is singular: what then comes out is not finite, and rejected.
 class Rosenbrock4 final : public ControlledOdeint {
  public:
   Rosenbrock4(MethodInfo info, const Tolerances& tolerances)
@@ -134,20 +134,20 @@ class Rosenbrock4 final : public ControlledOdeint {
     };
     stepper_->do_step(std::make_pair(f, jacobian), x_, t, after_, trial, error_);
     next_.assign(after_.begin(), after_.end());
-    const double error = error_norm(system.controlled());
+    const double error = error_norm(system);
     if (!std::isfinite(error)) return false;
     trial /= std::min(std::max(std::sqrt(std::sqrt(error)) / 0.9, 1.0 / 6), 5.0);
     return error <= 1;
   }
 
-  double error_norm(std::size_t count) const {
+  double error_norm(const OdeSystem& system) const {
     double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < system.controlled(); ++i) {
       const double size = std::max(std::fabs(x_[i]), std::fabs(after_[i]));
       const double error = error_[i] / (tolerances_.absolute + tolerances_.relative * size);
       sum += error * error;
     }
-    return std::sqrt(sum / static_cast<double>(count));
+    return std::sqrt(sum / static_cast<double>(system.lasting()));
   }
 
   Tolerances tolerances_;

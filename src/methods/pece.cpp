@@ -54,6 +54,12 @@ class Pece final : public Method {
   const State* start() const override { return &predicted_; }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    visit("h before", h_before_);
+    visit("rates before", before_);
+    if (form_ == Form::pec) visit("rates", now_);
+  }
+
   Form form_;
   State now_, before_, predicted_, next_;
   double h_before_ = 0;  // s; 0: no history

@@ -45,6 +45,12 @@ class PeceAdaptive final : public ControlledMethod {
   }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    ControlledMethod::remember(visit);
+    visit("h before", h_before_);
+    visit("rates before", before_);
+  }
+
   State before_, predicted_, ahead_;
   double h_before_ = 0;  // s; 0: no history
 };

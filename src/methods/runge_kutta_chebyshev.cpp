@@ -99,6 +99,16 @@ class RungeKuttaChebyshev final : public ControlledMethod {
  private:
   static constexpr int stale = steps_between_estimates;
 
+  void remember(HistoryVisitor& visit) override {
+    ControlledMethod::remember(visit);
+    visit("fresh", fresh_);
+    visit("rates", now_);
+    visit("radius", radius_);
+    visit("age", age_);
+    visit("steps since estimate", steps_since_estimate_);
+    visit("vector", vector_);
+  }
+
   // Leaves Y_s in next_.
   void run_stages(const OdeSystem& system, double t, const State& y, double h, int s) {
     const double w0 = 1 + epsilon / (static_cast<double>(s) * s);
@@ -146,7 +156,7 @@ class RungeKuttaChebyshev final : public ControlledMethod {
       std::fill(vector_.begin() + static_cast<std::ptrdiff_t>(counted), vector_.end(), 0.0);
       double size = norm(vector_);
       if (size == 0) {  // nothing moves, or a direction that f does not see
-        std::fill_n(vector_.begin(), counted, 1.0);
+        std::fill_n(vector_.begin(), system.lasting(), 1.0);
         size = norm(vector_);
       }
       for (std::size_t i = 0; i < y.size(); ++i) stage_[i] = y[i] + vector_[i] * (length / size);

@@ -22,11 +22,9 @@ class Verlet final : public Method {
   double step(const OdeSystem& system, double t, State& y, double h) override {
     const std::size_t n = y.size();
     const std::size_t q = system.positions();
-    if (!started_) {
-      for (State* room : {&now_, &next_, &predicted_}) room->resize(n);
-      evaluate_start(system, t, y, now_);
-      started_ = true;
-    }
+    for (State* room : {&now_, &next_, &predicted_}) room->resize(n);
+    if (!started_) evaluate_start(system, t, y, now_);
+    started_ = true;
     const double half = 0.5 * h;
     for (std::size_t i = 0; i < q; ++i) predicted_[i] = y[i] + h * (y[q + i] + half * now_[q + i]);
     for (std::size_t i = q; i < n; ++i) predicted_[i] = y[i] + h * now_[i];
@@ -43,6 +41,11 @@ class Verlet final : public Method {
   void state_changed() override { started_ = false; }
 
  private:
+  void remember(HistoryVisitor& visit) override {
+    visit("started", started_);
+    visit("rates", now_);
+  }
+
   State now_, next_, predicted_;
   bool started_ = false;
 };
