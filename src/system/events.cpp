@@ -53,8 +53,31 @@ std::vector<int> overstretched(const System& system, const State& y) {
 
 }  // namespace
 
+void EventMemory::history(HistoryVisitor& visit) {
+  visit("started", started);
+  visit.list("pushing", now.pushing, [&](Regime::Pushing& p) {
+    visit("kind", p.kind);
+    visit("a", p.a);
+    visit("b", p.b);
+    visit("phase", p.phase);
+  });
+  visit("overstretched", now.overstretched);
+  visit.list("grades", grades, [&](Grade& g) {
+    visit("start", g.start);
+    visit("scale", g.scale);
+    visit("power", g.power);
+  });
+  visit("events", events);
+  visit("evaluations", evaluations);
+  visit("steps", steps);
+}
+
 JumpReport jump(System& system, Method& method, double t, State& y) {
   JumpReport report = system.jump(t, y);
+  if (report.grown.count > 0) {
+    GrowHistory grow(report.grown);
+    method.history(grow);
+  }
   if (report.flow_jumped()) {
     method.restart();
   } else if (report.springs_changed) {
@@ -77,9 +100,9 @@ Regime EventSteps::regime(double t, const State& y) const {
 }
 
 double EventSteps::step(double t, State& y, double end, double h, JumpReport& report) {
-  if (!started_) now_ = regime(t, y);
-  started_ = true;
-  ++steps_;
+  if (!memory_.started) memory_.now = regime(t, y);
+  memory_.started = true;
+  ++memory_.steps;
   const bool controlled = method_.info().controlled;
   int found = 0;
   while (t < end) {
@@ -90,25 +113,25 @@ double EventSteps::step(double t, State& y, double end, double h, JumpReport& re
     const double taken = method_.step(system_, t, y, length);
     const double reached = taken < length ? t + taken : target;
     const Regime then = regime(reached, y);
-    if (then == now_) {
+    if (then == memory_.now) {
       accept(before, reached, y, taken, report);
       t = reached;
       if (controlled) break;
       continue;
     }
-    if (then.pushing == now_.pushing) {
+    if (then.pushing == memory_.now.pushing) {
       const double torn = back_to_tear(t, before, reached, y);
       accept(before, torn, y, torn - t, report);
-      now_ = regime(torn, y);
+      memory_.now = regime(torn, y);
       t = torn;
     } else {
       y = before;
       method_.restart();
       t = approach(t, y, reached, report);
     }
-    if (++found > most_events_in_a_step || (steps_ > enough_to_judge && events_ > steps_ / 2))
-      throw Divergence("events come in nearly every step, " + std::to_string(events_) + " in " +
-                       std::to_string(steps_) + " steps: to locate them is for scenes with few; run it without");
+    if (++found > most_events_in_a_step || (memory_.steps > enough_to_judge && memory_.events > memory_.steps / 2))
+      throw Divergence("events come in nearly every step, " + std::to_string(memory_.events) + " in " +
+                       std::to_string(memory_.steps) + " steps: to locate them is for scenes with few; run it without");
   }
   if (found > 0 && !controlled) method_.restart();  // the rest of a step is too short to look back on
   return t;
@@ -122,8 +145,8 @@ double EventSteps::back_to_tear(double t, const State& before, double reached, S
   ahead_.resize(y.size());
   system_.rhs(t, before, rates_);
   system_.rhs(reached, after, ahead_);
-  evaluations_ += 2;
-  ++events_;
+  memory_.evaluations += 2;
+  ++memory_.events;
   const auto place = [&](double s) {
     for (std::size_t i = 0; i < y.size(); ++i) {
       const double rise = after[i] - before[i];
@@ -144,7 +167,7 @@ double EventSteps::back_to_tear(double t, const State& before, double reached, S
 // The end of the next step: of the usual one, or shorter behind a touch. A rest of less than half a step is not left.
 double EventSteps::next_time(double t, double end, double h) {
   double length = end - t;
-  std::erase_if(grades_, [&](const Grade& g) {
+  std::erase_if(memory_.grades, [&](const Grade& g) {
     const double s = root((t - g.start) / g.scale, g.power) + h / (g.power * g.scale);
     const double graded = g.scale * power(s, g.power) - (t - g.start);
     length = std::min(length, std::max(graded, 4e-15 * (t + h)));  // it must move the time
@@ -158,6 +181,7 @@ void EventSteps::accept(const State& before, double t, State& y, double h, JumpR
   const JumpReport one = jump(system_, method_, t, y);
   report.torn.insert(report.torn.end(), one.torn.begin(), one.torn.end());
   report.springs_changed = report.springs_changed || one.springs_changed;
+  report.grown = {report.grown.count + one.grown.count, one.grown.before_end};
 }
 
 // From (t, y) to just behind the event that a trial step met before `bound`. The first two steps stop short of it, so
@@ -175,7 +199,7 @@ double EventSteps::approach(double t, State& y, double bound, JumpReport& report
     const State before = y;
     const double taken = method_.step(system_, t, y, h);
     const Regime then = regime(t + taken, y);
-    if (!crossing && then != now_) {  // stop shorter
+    if (!crossing && then != memory_.now) {  // stop shorter
       y = before;
       method_.restart();
       short_of = std::min(0.9, 4 * short_of);
@@ -184,11 +208,11 @@ double EventSteps::approach(double t, State& y, double bound, JumpReport& report
     t += taken;
     accept(before, t, y, taken, report);
     short_of = 1e-3;
-    if (then == now_) continue;
-    const Regime old = std::exchange(now_, regime(t, y));
+    if (then == memory_.now) continue;
+    const Regime old = std::exchange(memory_.now, regime(t, y));
     grade_touches(t, y, old);
     method_.restart();
-    ++events_;
+    ++memory_.events;
     return t;
   }
   return t;  // the trial step saw what is not there
@@ -199,7 +223,7 @@ double EventSteps::first_change(double t, const State& y, double within) {
   rates_.resize(y.size());
   ahead_.resize(y.size());
   system_.rhs(t, y, rates_);
-  ++evaluations_;
+  ++memory_.evaluations;
   const std::size_t n = system_.positions();
   double low = 0;
   double high = within;
@@ -207,7 +231,7 @@ double EventSteps::first_change(double t, const State& y, double within) {
     const double s = k == 0 ? high : 0.5 * (low + high);
     for (std::size_t i = 0; i < y.size(); ++i)
       ahead_[i] = y[i] + s * (rates_[i] + (i < n ? 0.5 * s * rates_[n + i] : 0));
-    const bool changed = regime(t + s, ahead_) != now_;
+    const bool changed = regime(t + s, ahead_) != memory_.now;
     if (k == 0 && !changed) return within;
     (changed ? high : low) = s;
   }
@@ -222,7 +246,7 @@ void EventSteps::grade_touches(double t, const State& y, const Regime& before) {
           std::any_of(before.pushing.begin(), before.pushing.end(), [&](const auto& o) { return same_pair(one, o); }))
         continue;
       const ContactLaw& law = system_.parts().law[c.law[k]];
-      grades_.push_back({t, time_scale(law, c, k), law.viscosity > 0 ? 4 : 2});
+      memory_.grades.push_back({t, time_scale(law, c, k), law.viscosity > 0 ? 4 : 2});
     }
   });
 }

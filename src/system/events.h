@@ -38,6 +38,19 @@ struct Regime {
   bool operator==(const Regime&) const = default;
 };
 
+// What the steps to events carry from one to the next.
+struct EventMemory {
+  struct Grade {
+    double start = 0, scale = 0;  // s
+    int power = 0;
+  };
+  bool started = false;
+  Regime now;                                   // of the accepted state
+  std::vector<Grade> grades;                    // of the last touches
+  long events = 0, evaluations = 0, steps = 0;  // evaluations of f beside those of the method
+  void history(HistoryVisitor& visit);
+};
+
 // Applies the jumps to y at t, and tells the method what it needs to know of them.
 JumpReport jump(System& system, Method& method, double t, State& y);
 
@@ -45,8 +58,8 @@ class EventSteps {
  public:
   // `check` throws Divergence if the step from one state to another is not sound.
   using Check = std::function<void(const State& before, const State& after, double h)>;
-  EventSteps(System& system, Method& method, Locate what, Check check)
-      : system_(system), method_(method), what_(what), check_(std::move(check)) {}
+  EventSteps(System& system, Method& method, Locate what, Check check, EventMemory& memory)
+      : system_(system), method_(method), what_(what), check_(std::move(check)), memory_(memory) {}
 
   // Carries y from t to `end`, or, for a controlled method, as far as it dares, applies the jumps on the way and
   // reports them together. `h` is the usual step. Returns the time reached. Throws Divergence, also where events are
@@ -56,14 +69,8 @@ class EventSteps {
   // Jumps at the end of a step of h that led from `before` to (t, y), and tells the method.
   void accept(const State& before, double t, State& y, double h, JumpReport& report);
 
-  long events() const { return events_; }
-  long evaluations() const { return evaluations_; }  // of f, beside those of the method
-
  private:
-  struct Grade {
-    double start, scale;  // s
-    int power;
-  };
+  using Grade = EventMemory::Grade;
   double next_time(double t, double end, double h);
   Regime regime(double t, const State& y) const;
   double back_to_tear(double t, const State& before, double reached, State& y);
@@ -75,10 +82,7 @@ class EventSteps {
   Method& method_;
   Locate what_;
   Check check_;
-  bool started_ = false;
-  Regime now_;                 // of the accepted state
-  std::vector<Grade> grades_;  // of the last touches
-  long events_ = 0, evaluations_ = 0, steps_ = 0;
+  EventMemory& memory_;
   State rates_, ahead_;
 };
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "system/system.h"
 
@@ -11,6 +13,7 @@ JumpReport System::jump(double t, State& y) {
   JumpReport report;
   if (friction_) return_springs(t, y, report);
   if (!preparing_) tear_links(t, y, report);
+  report.grown = std::exchange(slots_.grown, {});
   report.rates = friction_ && report.torn.empty() ? &rates_ : nullptr;
   return report;
 }
@@ -20,15 +23,16 @@ JumpReport System::jump(double t, State& y) {
 void System::return_springs(double t, State& y, JumpReport& report) {
   ++slots_.now;
   rates_.resize(y.size());
-  double* spring = y.data() + springs_;
-  slots_.spring = spring;
+  slots_.system = this;
+  slots_.state = &y;
+  slots_.spring = y.data() + springs_;
   std::atomic<bool> changed = false;
   std::fill(chunk_returned_.begin(), chunk_returned_.end(), 0.0);
   slots_.relaxed = false;
   double& returned = chunk_returned_[0];
   if (keeps_ledger_) returned = y[ledger_of(friction_work)];
   add_up(t, y, &slots_, rates_, [&](const TouchBlock& c, int chunk) {
-    if (put_returned(c, spring)) changed = true;
+    if (put_returned(c, slots_.spring)) changed = true;
     if (!keeps_ledger_) return;
     double& sum = chunk_returned_[chunk];
     for (int k = 0; k < c.count; ++k)
@@ -41,6 +45,21 @@ void System::return_springs(double t, State& y, JumpReport& report) {
   for (std::size_t k = 1; k < chunk_returned_.size(); ++k) returned += chunk_returned_[k];
   if (keeps_ledger_) y[ledger_of(friction_work)] = returned;
   report.springs_changed = changed || slots_.relaxed;
+}
+
+// Half as much room again, and what is wanted now. The new slots are taken last, as if they had been there always:
+// which contact holds which slot does not depend on when there was how much room.
+void System::grow_slots(int wanting) {
+  const int count = wanting + spring_count_ / 2;
+  const Growth growth{static_cast<std::size_t>(count), size() - static_cast<std::size_t>(springs_ + spring_count_)};
+  growth.apply(*slots_.state);
+  growth.apply(rates_);
+  slots_.spring = slots_.state->data() + springs_;
+  slots_.grown = {slots_.grown.count + growth.count, growth.before_end};
+  std::vector<int> more(growth.count);
+  std::iota(more.rbegin(), more.rend(), spring_count_);
+  slots_.unused.insert(slots_.unused.begin(), more.begin(), more.end());
+  lay_out(spring_count_ + count);
 }
 
 void System::tear_links(double t, State& y, JumpReport& report) {

@@ -95,10 +95,20 @@ std::string driven_by(const System& system, double t, const State& y, int body, 
 
 }  // namespace
 
+void RunPoint::history(HistoryVisitor& visit) {
+  visit("begun", begun);
+  visit("time", time);
+  visit("steps", steps);
+  events.history(visit);
+}
+
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
   if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
   const Watch watch(system);
-  RunEnd end{Ending::finished, {}, plan.start};
+  RunPoint own;
+  RunPoint& at = plan.point ? *plan.point : own;
+  if (!at.begun) at.time = plan.start;
+  RunEnd end;
   const bool fixed = !method.info().controlled;
   const double tiny = 1e-9 * plan.step;
   // The last good state: kept by the method, or copied.
@@ -110,41 +120,52 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     if (const std::string complaint = watch.complaint(from, to, h, body); !complaint.empty())
       throw Divergence(complaint);
   };
-  EventSteps stepper(system, method, plan.locate, check);
+  EventSteps stepper(system, method, plan.locate, check, at.events);
   const auto accept = [&](const JumpReport& report) {
+    copied.resize(y.size());
     if (copies) copy_in_ranges(system.threads(), y.data(), y.size(), copied.data());
-    if (!after_step(end.time, y, report)) end.ending = Ending::stopped;
+    if (!after_step(at.time, y, report)) end.ending = Ending::stopped;
   };
+  bool end_in_sight = false;
   try {
-    JumpReport report = jump(system, method, plan.start, y);
-    accept(report);
-    while (end.ending == Ending::finished && end.time < plan.end - tiny) {
+    JumpReport report;
+    if (!at.begun) {
+      report = jump(system, method, plan.start, y);
+      at.begun = true;
+      accept(report);
+    }
+    while (end.ending == Ending::finished && at.time < plan.end - tiny) {
       // Fixed steps are counted, not summed: t = start + n h has no drift.
-      double next = plan.start + static_cast<double>(end.steps + 1) * plan.step;
-      if (!fixed) next = std::min(end.time + plan.step, plan.stop ? plan.stop(end.time) : plan.end);
+      double next = plan.start + static_cast<double>(at.steps + 1) * plan.step;
+      if (!fixed) next = std::min(at.time + plan.step, plan.stop ? plan.stop(at.time) : plan.end);
       if (next > plan.end - tiny) next = plan.end;
+      if (next == plan.end && !end_in_sight && plan.before_end) plan.before_end(y);
+      end_in_sight = next == plan.end || end_in_sight;
       report = {};
-      const double h = fixed && next != plan.end ? plan.step : next - end.time;
+      const double h = fixed && next != plan.end ? plan.step : next - at.time;
       if (plan.locate != Locate::none) {
-        end.time = stepper.step(end.time, y, next, h, report);
+        at.time = stepper.step(at.time, y, next, h, report);
       } else {
         before = copies ? &copied : &y;
-        const double taken = method.step(system, end.time, y, h);
+        const double taken = method.step(system, at.time, y, h);
         if (!copies) before = method.start();
-        const double reached = taken == h ? next : end.time + taken;
+        const double reached = taken == h ? next : at.time + taken;
         stepper.accept(*before, reached, y, taken, report);
-        end.time = reached;
+        at.time = reached;
       }
-      ++end.steps;
+      ++at.steps;
       accept(report);
     }
   } catch (const Divergence& failure) {
     if (before != &y) y = *before;
+    system.fit(y);
     end.ending = Ending::diverged;
-    end.reason = failure.what() + driven_by(system, end.time, y, body, method.info().name);
+    end.reason = failure.what() + driven_by(system, at.time, y, body, method.info().name);
   }
-  end.events = stepper.events();
-  end.event_evaluations = stepper.evaluations();
+  end.time = at.time;
+  end.steps = at.steps;
+  end.events = at.events.events;
+  end.event_evaluations = at.events.evaluations;
   return end;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "methods/method.h"
+#include "system/events.h"
 #include "system/system.h"
 
 namespace furrow {
@@ -20,12 +21,27 @@ struct RunEnd {
   long event_evaluations = 0;  // of the right-hand side, for that, beside the method's
 };
 
+// Where a run stands between two steps, beside the state, the discrete state and the method's history: with these three
+// it goes on, by the same bits.
+struct RunPoint {
+  bool begun = false;  // the jump at the start is done, and reported
+  double time = 0;     // s
+  long steps = 0;
+  EventMemory events;
+  void history(HistoryVisitor& visit);
+};
+
 struct RunPlan {
   double start = 0;                      // s
   double end = 1;                        // s
   double step = 1e-4;                    // s; a fixed method's step, the largest one of a controlled method
   std::function<double(double)> stop{};  // next time after t that a controlled method must hit; none: only the end
   Locate locate = Locate::none;
+  RunPoint* point = nullptr;  // where to go on, kept up to date; none: at the start
+
+  // Called before the first step that has the run's end in sight. From there a longer run would go other ways: on a
+  // fixed step's grid, past a controlled method's last stop.
+  std::function<void(const State& y)> before_end{};
 };
 
 // Called with the start and after each accepted step; false stops the run, a Divergence thrown ends it as such.

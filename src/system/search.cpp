@@ -166,7 +166,7 @@ void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKin
     } else {
       near_flat(parts, now, kind, piece.near);
     }
-    const bool chunk = pairs && made_;
+    const bool chunk = pairs && !chunks.empty();
     keep_held(candidates[kind], chunk ? chunks[k].first_pair : 0,
               chunk ? chunks[k].last_pair : candidates[kind].count(), piece);
   });
@@ -251,6 +251,12 @@ void NeighbourSearch::cut_into_chunks(int discs) {
     chunk.last_spill = spills;
     chunks.push_back(chunk);
   }
+}
+
+void NeighbourSearch::keep_only(const std::array<Candidates, contact_kinds>& held, int discs) {
+  candidates = held;
+  cut_into_chunks(discs);
+  made_ = false;
 }
 
 void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {

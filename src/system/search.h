@@ -56,6 +56,9 @@ class NeighbourSearch {
   // Makes sure that every pair closer than `margin` is on a list. Throws Divergence where a position is not finite.
   void update(const Parts& parts, const Placement& now, int threads = 1);
 
+  // Forgets the lists but for those of these pairs, all with a slot and sorted.
+  void keep_only(const std::array<Candidates, contact_kinds>& held, int discs);
+
   // m. A contact gets a slot for its tangential spring when its gap is below the margin, one step before it can touch,
   // so that the spring is integrated from the very touch.
   double margin = 0;

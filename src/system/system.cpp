@@ -8,8 +8,9 @@
 namespace furrow {
 namespace {
 
-// Slots for tangential springs. Discs in a plane touch at most six others each, three contacts a disc. In the paper's
-// soft beds second neighbours touch too: up to 4.5 a disc were measured at its step (study outlook, discs of 8 mm).
+// Slots for tangential springs at first; a jump makes more where they do not suffice. Discs in a plane touch at most
+// six others each, three contacts a disc. In the paper's soft beds second neighbours touch too: up to 4.5 a disc were
+// measured at its step (study outlook, discs of 8 mm).
 int slots_needed(const Parts& p) {
   const long discs = p.disc.count();
   const long flat = static_cast<long>(p.wall.size() + p.plate.size());
@@ -34,10 +35,11 @@ System::System(const Scene& scene)
   }
   friction_ = friction_ || rolling_;
   const int spins = friction_ ? parts_.disc.count() : 0;
-  spring_count_ = friction_ ? slots_needed(parts_) : 0;
   springs_ = 4 * bodies_ + spins;
   const int chunks = 1 + parts_.disc.count() / NeighbourSearch::discs_a_chunk;
-  ledger_ = springs_ + spring_count_ + (spring_count_ > 0 ? chunks : 0);
+  const int slots = friction_ ? slots_needed(parts_) : 0;
+  spares_ = slots > 0 ? chunks : 0;
+  lay_out(slots);
   for (int k = spring_count_; k-- > 0;) slots_.unused.push_back(k);
 
   for (int i = 0; i < parts_.disc.count(); ++i) {
@@ -81,6 +83,16 @@ System::System(const Scene& scene)
   }
 
   disc_start_ = scene.disc;
+}
+
+void System::lay_out(int spring_count) {
+  spring_count_ = spring_count;
+  ledger_ = springs_ + spring_count_ + spares_;
+}
+
+void System::fit(State& y) const {
+  const std::size_t after_springs = size() - static_cast<std::size_t>(springs_ + spring_count_);
+  Growth{size() - y.size(), after_springs}.apply(y);
 }
 
 State System::initial_state() const {

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/history.h"
 #include "methods/ode.h"
 #include "methods/parallel.h"
 #include "system/kernel.h"
@@ -31,10 +32,27 @@ struct Tear {
   double force;  // N, spring force that exceeded the strength
 };
 
+// What of a system changes beside its state: with both, the method's history and a time a run goes on in another system
+// of the same scene. Contacts that hold a slot stand in the order of the lists.
+struct DiscreteState {
+  struct Held {
+    int kind, a, b, slot;
+    std::uint32_t near_at;  // as in Candidates
+  };
+  std::vector<int> torn;  // links
+  std::vector<Held> held;
+  std::vector<int> unused;  // slots, the next one last
+  std::uint32_t jumps = 0;
+  bool preparing = false;
+  int spring_count() const { return static_cast<int>(held.size() + unused.size()); }
+  void history(HistoryVisitor& visit);
+};
+
 // What a jump changed. A multistep method keeps its history unless the right-hand side has jumped.
 struct JumpReport {
   std::vector<Tear> torn;
   bool springs_changed = false;
+  Growth grown;            // of the state, for contacts that found no room in it
   State* rates = nullptr;  // at the state that was left, if they are known: the system's own room, to be swapped out
   bool flow_jumped() const { return !torn.empty(); }
 };
@@ -45,6 +63,7 @@ class System : public OdeSystem {
 
   std::size_t size() const override { return static_cast<std::size_t>(ledger_ + (keeps_ledger_ ? ledger_entries : 0)); }
   std::size_t positions() const override { return 2 * static_cast<std::size_t>(bodies_); }
+  std::size_t lasting() const override { return static_cast<std::size_t>(springs_); }
   std::size_t controlled() const override { return static_cast<std::size_t>(springs_ + spring_count_); }
   int threads() const override { return threads_; }
   std::string velocity_dependence() const override;
@@ -52,6 +71,14 @@ class System : public OdeSystem {
 
   State initial_state() const;
   JumpReport jump(double t, State& y);
+
+  DiscreteState discrete_state() const;
+
+  // Throws std::invalid_argument if it is not one of this scene's.
+  void restore(const DiscreteState& discrete);
+
+  // Makes the room in a state of before a jump that the jump made in its own.
+  void fit(State& y) const;
 
   // While a scene is prepared its plates stand still and its links do not tear.
   void prepare(bool preparing) { preparing_ = preparing; }
@@ -98,8 +125,13 @@ class System : public OdeSystem {
     std::vector<int> unused;
     std::uint32_t now = 0;                   // number of this jump; the first is 1, so that 0 is no jump
     std::vector<std::vector<int>> changing;  // by chunk: first pairs of blocks where one takes or gives back a slot
-    double* spring = nullptr;                // of the state in a jump
+    System* system = nullptr;                // in a jump
+    State* state = nullptr;                  // the one that is jumped
+    Growth grown;                            // of it
+    double* spring = nullptr;                // its springs
     bool relaxed = false;
+
+    void make_room(const Candidates& list, int first, int last);
 
     void see(Candidates& list, int candidate, bool near);
     void relax(int slot);
@@ -145,6 +177,8 @@ class System : public OdeSystem {
   void finish_rates(State& dydt) const;
   void add_link_forces(double* work) const;
   void add_to_ledger(const TouchBlock& block, int chunk, double t, double* work) const;
+  void lay_out(int spring_count);
+  void grow_slots(int wanting);
   void return_springs(double t, State& y, JumpReport& report);
   double lattice_contact_energy(double t, const State& y) const;
   void tear_links(double t, State& y, JumpReport& report);
@@ -157,7 +191,7 @@ class System : public OdeSystem {
   int threads_ = 1;
   bool alike_ = false;     // all discs have the same radius, mass and material
   int law_of_pairs_ = -1;  // if all discs have the same material
-  int bodies_ = 0, springs_ = 0, spring_count_ = 0, ledger_ = 0;
+  int bodies_ = 0, springs_ = 0, spring_count_ = 0, spares_ = 0, ledger_ = 0;
   std::vector<double> inverse_mass_, inverse_inertia_, weight_;  // by body
 
   std::vector<Disc> disc_start_;

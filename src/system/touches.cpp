@@ -35,6 +35,15 @@ void TouchBlock::keep_touching() {
   look_at_own();
 }
 
+// For the candidates [first, last), should all of them want a slot.
+void System::Slots::make_room(const Candidates& list, int first, int last) {
+  const auto left = static_cast<std::ptrdiff_t>(unused.size());
+  if (left >= last - first) return;
+  const auto wanting =
+      std::count_if(&list.slot[first], &list.slot[first] + (last - first), [](int s) { return s < 0; });
+  if (left < wanting) system->grow_slots(static_cast<int>(wanting - left));
+}
+
 // A near contact gets a slot, one that has long been apart gives it back.
 void System::Slots::see(Candidates& list, int candidate, bool near) {
   int& slot = list.slot[candidate];
@@ -45,10 +54,6 @@ void System::Slots::see(Candidates& list, int candidate, bool near) {
     slot = -1;
     return;
   }
-  if (unused.empty())
-    throw Divergence(
-        "more contacts than a plane holds: the bed is pressed to ten near neighbours a disc and no "
-        "tangential spring is left; stiffer discs or a slower plate would help");
   slot = unused.back();
   unused.pop_back();
   spring[slot] = 0;
@@ -89,6 +94,7 @@ void System::hand_out_slots(const State& y, Slots& slots, State& dydt) const {
   for (std::size_t chunk = 0; chunk < search_.chunks.size(); ++chunk) {
     for (const int first : slots.changing[chunk]) {
       const int last = std::min(search_.chunks[chunk].last_pair, first + TouchBlock::capacity);
+      slots.make_room(list, first, last);
       for (int k = first; k < last; ++k) slots.see(list, k, false);
       fill_discs(c, y, first, last);
       take_springs(c, y, static_cast<int>(chunk));
@@ -124,6 +130,7 @@ void System::fill_walls(int first, int last, const State& y, Slots* slots) const
   point_at(wall_block_, disc_wall, first, last);
   meet_walls(wall_block_, motion(y), parts_.wall.data());
   if (!slots || !note_near(wall_block_, &list.near_at[first], slots->now)) return;
+  slots->make_room(list, first, last);
   for (int k = first; k < last; ++k) slots->see(list, k, false);
 }
 
@@ -155,6 +162,7 @@ NearestOnSegment System::nearest_border(const Placement& now, int candidate, int
 template <ContactKind kind>
 void System::fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const {
   Candidates& list = search_.candidates[kind];
+  if (slots) slots->make_room(list, first, last);
   TouchBlock& c = flat_block_;
   c.kind = kind;
   c.look_at_own();
