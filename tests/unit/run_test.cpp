@@ -162,16 +162,16 @@ TEST(Run, NumbersThatAreNotFiniteAreADivergence) {
   }
 }
 
-// Forty soft discs that all meet at one point: sooner or later they need more tangential springs than there are.
-TEST(Run, FailedJumpLeavesTheLastGoodStateAndItsTime) {
+// Forty soft discs that all meet at one point need far more tangential springs than a bed at rest would.
+TEST(Run, AsManyContactsAsThereAreAreNoDivergence) {
   Scene scene = empty_scene();
   scene.contact.friction = 0.5;
   scene.material[0].young = 1e-3;
   for (int k = 0; k < 40; ++k) scene.disc.push_back(disc({0.3 * k, 0}, 0.1, {-0.3 * k, 0}));
   const auto method = make_method("pece");
-  const Ran r = run_through(scene, *method, plan_of(2, 5e-3));
-  EXPECT_NE(r.end.reason.find("more contacts"), std::string::npos) << r.end.reason;
-  expect_last_good(r);
+  const Ran r = run_through(scene, *method, plan_of(1.2, 5e-3));
+  EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  EXPECT_GT(r.y.size(), r.states.front().size());
 }
 
 // Says what the loop asks of a method.
