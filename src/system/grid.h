@@ -1,61 +1,144 @@
-// Points sorted into square cells, by counting. The room for it is kept from one time to the next.
+// Points sorted into square cells, by counting. There are never many more cells than points: where the points lie far
+// apart the cells are folded like a map, those a whole number of folds apart are one. So a point that flew far off
+// costs no more than any other. The room is kept from one time to the next.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
+
+#include "scene/scene.h"
 
 namespace furrow {
 
-class Grid {
+struct Extent {
+  double from, to;  // m
+};
+
+// The cells along one axis. Their numbers do not fall as the coordinate grows, so that no point is lost by rounding.
+class Axis {
  public:
-  // x, y: m, at least one point, finite; they must stay until the last call of around. cell: m, the least size of a
-  // cell.
-  void sort(const double* x, const double* y, int count, double cell) {
-    x_ = x;
-    y_ = y;
-    const auto [left, right] = std::minmax_element(x, x + count);
-    const auto [lower, upper] = std::minmax_element(y, y + count);
-    left_ = *left;
-    lower_ = *lower;
-    const double width = *right - left_;
-    const double height = *upper - lower_;
-    // A point that flew far off must not make the grid larger than the points are many.
-    cell_ =
-        std::max(cell, std::max(std::sqrt(width * height / (4.0 * count)), std::max(width, height) / (4.0 * count)));
-    columns_ = static_cast<int>(width / cell_) + 1;
-    rows_ = static_cast<int>(height / cell_) + 1;
-    first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-    for (int i = 0; i < count; ++i) ++first_[cell_of(i) + 1];
-    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-    point_.resize(static_cast<std::size_t>(count));
-    next_.assign(first_.begin(), first_.end() - 1);
-    for (int i = 0; i < count; ++i) point_[next_[cell_of(i)]++] = i;
+  struct Cells {
+    std::int64_t first, last;
+    bool all;  // of a folded axis
+  };
+
+  // The cells of [from, to] one by one; folded: as many as `count`, from the origin on, for there the numbers are
+  // exact.
+  static Axis of(Extent r, double cell) {
+    return {r.from, cell, static_cast<std::int64_t>((r.to - r.from) / cell) + 1};
+  }
+  static Axis folded(double cell, double count) { return {0, cell, static_cast<std::int64_t>(count), true}; }
+  static double cells(Extent r, double cell) { return std::floor((r.to - r.from) / cell) + 1; }
+
+  int count() const { return static_cast<int>(count_); }
+  int fold(std::int64_t number) const {
+    if (!folded_) return static_cast<int>(number);
+    const auto rest = static_cast<int>(number % count_);
+    return rest < 0 ? rest + count() : rest;
+  }
+  int cell_of(double x) const { return fold(number(x)); }
+
+  Cells overlapping(Extent r) const {
+    const Cells cells{number(r.from), number(r.to), false};
+    if (folded_) return cells.last - cells.first < count_ ? cells : Cells{0, count_ - 1, true};
+    return {std::max<std::int64_t>(0, cells.first), std::min(count_ - 1, cells.last), false};
   }
 
-  // Calls visit(j) for every point j in the cells within `reach` (m) of point i, itself included.
-  template <class Visit>
-  void around(int i, double reach, Visit&& visit) const {
-    const int range = static_cast<int>(std::ceil(reach / cell_));
-    const int row = row_of(i);
-    const int column = column_of(i);
-    for (int r = std::max(0, row - range); r <= std::min(rows_ - 1, row + range); ++r) {
-      const int from = std::max(0, column - range);
-      const int to = std::min(columns_ - 1, column + range);
-      for (int k = first_[r * columns_ + from]; k < first_[r * columns_ + to + 1]; ++k) visit(point_[k]);
-    }
+  // Of the cells with this number, widened by more than the rounding of `cell_of`; false where that is not small.
+  bool extent(std::int64_t number, Extent& r) const {
+    const auto n = static_cast<double>(number);
+    const double slack = 1e-3 * cell_ + 1e-15 * std::fabs(start_);
+    r = {start_ + n * cell_ - slack, start_ + (n + 1) * cell_ + slack};
+    return std::fabs(n) < 0x1p26;
   }
 
  private:
-  int row_of(int i) const { return std::min(rows_ - 1, static_cast<int>((y_[i] - lower_) / cell_)); }
-  int column_of(int i) const { return std::min(columns_ - 1, static_cast<int>((x_[i] - left_) / cell_)); }
-  int cell_of(int i) const { return row_of(i) * columns_ + column_of(i); }
+  Axis(double start, double cell, std::int64_t count, bool folded = false)
+      : start_(start), cell_(cell), count_(count), folded_(folded) {}
+  std::int64_t number(double x) const {
+    return static_cast<std::int64_t>(std::max(-0x1p52, std::min(0x1p52, std::floor((x - start_) / cell_))));
+  }
 
-  const double* x_ = nullptr;
-  const double* y_ = nullptr;
-  double left_ = 0, lower_ = 0, cell_ = 0;  // m
-  int columns_ = 0, rows_ = 0;
-  std::vector<int> first_, next_, point_;
+  double start_, cell_;  // m
+  std::int64_t count_;
+  bool folded_;
+};
+
+class Grid {
+ public:
+  // x, y: m, finite at the points named, of which there is at least one; they must stay until the last question. cell:
+  // m, the size of a cell.
+  void sort(const double* x, const double* y, const std::vector<int>& points, double cell) {
+    lay_out(x, y, points, cell);
+    const auto cells = static_cast<std::size_t>(columns_.count()) * static_cast<std::size_t>(rows_.count());
+    first_.assign(cells + 1, 0);
+    const auto cell_of = [&](int i) { return rows_.cell_of(y[i]) * columns_.count() + columns_.cell_of(x[i]); };
+    cell_.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) ++first_[(cell_[k] = cell_of(points[k])) + 1];
+    for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+    next_.assign(first_.begin(), first_.end() - 1);
+    point_.resize(points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) point_[next_[cell_[k]]++] = points[k];
+  }
+
+  // Calls visit(point) once for every point of the box, and for others near it. Returns the number of rows looked into.
+  template <class Visit>
+  long in_box(Extent x, Extent y, Visit&& visit) const {
+    const Axis::Cells rows = rows_.overlapping(y);
+    const Axis::Cells columns = columns_.overlapping(x);
+    if (columns.first > columns.last) return 0;
+    for (std::int64_t r = rows.first; r <= rows.last; ++r) in_row(rows_.fold(r), columns, visit);
+    return rows.last - rows.first + 1;
+  }
+
+  // The same with a range along x that differs from row to row: along(y) names it for points at these y.
+  template <class Along, class Visit>
+  long in_rows(Extent y, Along&& along, Visit&& visit) const {
+    const Axis::Cells rows = rows_.overlapping(y);
+    for (std::int64_t r = rows.first; r <= rows.last; ++r) {
+      Extent row{};
+      const bool known = rows_.extent(r, row) && !rows.all;
+      in_row(rows_.fold(r), columns_.overlapping(along(known ? row : y)), visit);
+    }
+    return rows.last - rows.first + 1;
+  }
+
+ private:
+  // As many cells as the extent needs, but no more than four a point: else folded, to numbers without a common divisor,
+  // or points on a diagonal would meet again too soon.
+  void lay_out(const double* x, const double* y, const std::vector<int>& points, double cell) {
+    Extent across{infinity, -infinity}, up{infinity, -infinity};
+    for (const int i : points) {
+      across = {std::min(across.from, x[i]), std::max(across.to, x[i])};
+      up = {std::min(up.from, y[i]), std::max(up.to, y[i])};
+    }
+    const double most = 4.0 * static_cast<double>(points.size());
+    const double side = std::floor(std::sqrt(most));
+    const double columns = Axis::cells(across, cell);
+    const double rows = Axis::cells(up, cell);
+    const bool fits = columns * rows <= most;
+    const bool narrow = fits || columns <= side;
+    const bool low = fits || rows <= side;
+    columns_ = narrow ? Axis::of(across, cell) : Axis::folded(cell, low ? most / rows : side);
+    rows_ = low ? Axis::of(up, cell) : Axis::folded(cell, narrow ? most / columns : side + 1);
+    first_.reserve(static_cast<std::size_t>(most + side) + 2);  // so that no later layout needs more
+  }
+
+  template <class Visit>
+  void in_row(int row, const Axis::Cells& columns, Visit&& visit) const {
+    if (columns.first > columns.last) return;
+    const int* first = &first_[row * columns_.count()];
+    const int from = columns_.fold(columns.first);
+    const int to = from + static_cast<int>(columns.last - columns.first) + 1;
+    for (int k = first[from]; k < first[std::min(to, columns_.count())]; ++k) visit(point_[k]);
+    if (to <= columns_.count()) return;
+    for (int k = first[0]; k < first[to - columns_.count()]; ++k) visit(point_[k]);
+  }
+
+  Axis columns_ = Axis::folded(1, 1), rows_ = Axis::folded(1, 1);
+  std::vector<int> first_, next_, cell_, point_;
 };
 
 }  // namespace furrow

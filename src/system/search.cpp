@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "methods/ode.h"
 #include "methods/parallel.h"
@@ -11,7 +12,7 @@
 namespace furrow {
 namespace {
 
-constexpr double skin_of_radius = 0.15;   // times the least radius; measured: flat between 0.1 and 0.2
+constexpr double skin_of_radius = 0.15;   // times a small radius; measured: flat between 0.1 and 0.2
 constexpr double margin_of_radius = 0.1;  // times the least radius
 
 double least_radius(const Parts& parts) {
@@ -19,6 +20,34 @@ double least_radius(const Parts& parts) {
   for (double r : parts.disc.radius) least = std::min(least, r);
   for (double r : parts.node.contact_radius) least = std::min(least, r);
   return std::isfinite(least) ? least : 1;
+}
+
+// Of n the one that is larger than the square root of n others: these may be as small as they like, a skin that is wide
+// to them brings less than n / 2 pairs among them, and a narrow one would make all lists short-lived.
+double small_radius(std::vector<double> radius) {
+  if (radius.empty()) return 1;
+  const auto rank = static_cast<std::ptrdiff_t>(std::sqrt(static_cast<double>(radius.size() - 1)));
+  std::nth_element(radius.begin(), radius.begin() + rank, radius.end());
+  return radius[rank];
+}
+
+std::vector<int> all_discs(const Parts& parts) {
+  std::vector<int> all(parts.disc.radius.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+// A fixed node and a plate or wall: neither of them can give way.
+std::vector<int> moving_nodes(const Parts& parts) {
+  std::vector<int> moving;
+  for (int n = 0; n < parts.node.count(); ++n) {
+    if (parts.node.body[n] >= 0) moving.push_back(n);
+  }
+  return moving;
+}
+
+double mean(const std::vector<double>& of) {
+  return of.empty() ? 0 : std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());
 }
 
 FURROW_WIDE bool all_within_lanes(const double* x, const double* y, const double* x0, const double* y0, double limit,
@@ -45,34 +74,35 @@ bool moved(const double* x, const double* y, const std::vector<double>& x0, cons
   return any;
 }
 
-// Border segments of the lattice that are closer to the disc than `reach`, in their order.
-template <class Visit>
-void each_near_segment(const Parts& parts, const Placement& now, int disc, int lattice, double reach, Visit visit) {
-  const double within = parts.disc.radius[disc] + reach;
-  for (int s = 0; s < parts.border.count(); ++s) {
-    if (parts.border.lattice[s] != lattice) continue;
-    if (segment_distance(parts, now, disc, s, 0, false).distance2 < within * within) visit(s);
-  }
-}
-
 }  // namespace
 
 NeighbourSearch::NeighbourSearch(const Parts& parts, const Search& settings)
     : margin(margin_of_radius * least_radius(parts)),
       idle_(parts.disc.count() + static_cast<int>(parts.wall.size() + parts.plate.size()) == 0),
       brute_force_(settings.mode == SearchMode::brute_force),
-      skin_(settings.skin > 0 ? settings.skin : skin_of_radius * least_radius(parts)),
-      cell_size_(settings.cell_size) {}
+      skin_(settings.skin > 0 ? settings.skin
+                              : skin_of_radius * small_radius(parts.disc.count() > 0 ? parts.disc.radius
+                                                                                     : parts.node.contact_radius)),
+      cell_size_(settings.cell_size),
+      discs_(all_discs(parts), parts.disc.radius),
+      nodes_(moving_nodes(parts), {}),
+      node_cell_(std::max(mean(parts.node.spacing), margin + skin_)) {}
 
 void NeighbourSearch::update(const Parts& parts, const Placement& now, int threads) {
   if (idle_ || (made_ && !brute_force_ && current(parts, now, threads))) return;
   check_finite(parts, now);
   if (made_ && brute_force_) return;
+  if (!brute_force_) sort(parts, now);
   for (int kind = 0; kind < contact_kinds; ++kind) renew(parts, now, static_cast<ContactKind>(kind), threads);
-  find_segments(parts, now);
+  list_segments(parts);
   cut_into_chunks(parts.disc.count());
   remember(parts, now);
   ++rebuilds;
+}
+
+void NeighbourSearch::sort(const Parts& parts, const Placement& now) {
+  discs_.sort(now.disc_x, now.disc_y, margin + skin_, cell_size_);
+  if (parts.wall.size() + parts.plate.size() > 0) nodes_.sort(now.node_x, now.node_y, margin + skin_, node_cell_);
 }
 
 // Two bodies, or a body and a plate, have come closer by no more than the skin.
@@ -104,71 +134,22 @@ void NeighbourSearch::check_finite(const Parts& parts, const Placement& now) con
   }
 }
 
-void NeighbourSearch::near_flat(const Parts& parts, const Placement& now, ContactKind kind,
-                                std::vector<Pair>& near) const {
-  const double reach = brute_force_ ? infinity : margin + skin_;
-  const bool walls = kind == disc_wall || kind == node_wall;
-  const int others = static_cast<int>(walls                  ? parts.wall.size()
-                                      : kind == disc_lattice ? parts.lattice.size()
-                                                             : parts.plate.size());
-  for (int a = 0; a < (of_disc(kind) ? parts.disc.count() : parts.node.count()); ++a) {
-    if (!of_disc(kind) && parts.node.body[a] < 0)
-      continue;  // fixed node and plate or wall: neither of them can give way
-    for (int b = 0; b < others; ++b) {
-      bool touches = false;
-      if (kind == disc_lattice)
-        each_near_segment(parts, now, a, b, reach, [&](int /*segment*/) { touches = true; });
-      else
-        touches = flat_gap(parts, now, kind, a, b).gap < reach;
-      if (touches) near.push_back({a, b});
-    }
-  }
-}
-
-// The pairs that have a disc of [first, last) as the first.
-void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, int first, int last,
-                                 std::vector<Pair>& near) const {
-  const double* radius = parts.disc.radius.data();
-  for (int i = first; i < last; ++i) {
-    if (brute_force_) {
-      for (int j = i + 1; j < parts.disc.count(); ++j) near.push_back({i, j});
-      continue;
-    }
-    const auto start = static_cast<std::ptrdiff_t>(near.size());
-    grid_.around(i, radius[i] + greatest_radius_ + margin + skin_, [&](int j) {
-      if (j <= i) return;
-      const double dx = now.disc_x[j] - now.disc_x[i];
-      const double dy = now.disc_y[j] - now.disc_y[i];
-      const double within = radius[i] + radius[j] + margin + skin_;
-      if (dx * dx + dy * dy < within * within) near.push_back({i, j});
-    });
-    std::sort(near.begin() + start, near.end(), [](const Pair& p, const Pair& q) { return p.b < q.b; });
-  }
-}
-
 // A new list, of discs chunk by chunk. What it needs of room is kept for the next one: large beds would spend most of
 // their time on getting it anew.
 void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKind kind, int threads) {
-  const int discs = parts.disc.count();
   const bool pairs = kind == disc_disc;
-  const int pieces = pairs ? (discs + discs_a_chunk - 1) / discs_a_chunk : 1;
+  const int pieces = pairs ? (parts.disc.count() + discs_a_chunk - 1) / discs_a_chunk : 1;
   pieces_.resize(static_cast<std::size_t>(std::max(pieces, static_cast<int>(pieces_.size()))));
-  if (pairs && discs > 0 && !brute_force_) {
-    greatest_radius_ = *std::max_element(parts.disc.radius.begin(), parts.disc.radius.end());
-    const double reach = 2 * greatest_radius_ + margin + skin_;
-    grid_.sort(now.disc_x, now.disc_y, discs, cell_size_ > 0 ? cell_size_ : reach);
-  }
+  if (pairs)
+    find_discs(parts, now, threads, pieces);
+  else if (kind == disc_lattice)
+    find_segments(parts, now, pieces_[0]);
+  else
+    find_flat(parts, now, kind, pieces_[0]);
   in_parallel(threads, pieces, [&](int k, int /*thread*/) {
-    Piece& piece = pieces_[k];
-    piece.near.clear();
-    if (pairs) {
-      near_discs(parts, now, k * discs_a_chunk, std::min(discs, (k + 1) * discs_a_chunk), piece.near);
-    } else {
-      near_flat(parts, now, kind, piece.near);
-    }
     const bool chunk = pairs && !chunks.empty();
     keep_held(candidates[kind], chunk ? chunks[k].first_pair : 0,
-              chunk ? chunks[k].last_pair : candidates[kind].count(), piece);
+              chunk ? chunks[k].last_pair : candidates[kind].count(), pieces_[k]);
   });
   int count = 0;
   for (int k = 0; k < pieces; ++k) {
@@ -182,14 +163,13 @@ void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKin
 // The near pairs, and of the old list those that still hold a slot. Both are sorted.
 void NeighbourSearch::keep_held(const Candidates& old, int first, int last, Piece& piece) {
   const std::vector<Pair>& near = piece.near;
-  const auto before = [](const Pair& p, const Pair& q) { return p.a < q.a || (p.a == q.a && p.b < q.b); };
   piece.member.clear();
   std::size_t n = 0;
   for (int k = first; k < last; ++k) {
     if (old.slot[k] < 0) continue;
     const Pair kept{old.a[k], old.b[k]};
-    for (; n < near.size() && before(near[n], kept); ++n) piece.member.push_back({near[n], -1, 0});
-    if (n < near.size() && !before(kept, near[n])) ++n;
+    for (; n < near.size() && near[n] < kept; ++n) piece.member.push_back({near[n], -1, 0});
+    if (n < near.size() && !(kept < near[n])) ++n;
     piece.member.push_back({kept, old.slot[k], old.near_at[k]});
   }
   for (; n < near.size(); ++n) piece.member.push_back({near[n], -1, 0});
@@ -257,17 +237,6 @@ void NeighbourSearch::keep_only(const std::array<Candidates, contact_kinds>& hel
   candidates = held;
   cut_into_chunks(discs);
   made_ = false;
-}
-
-void NeighbourSearch::find_segments(const Parts& parts, const Placement& now) {
-  Candidates& list = candidates[disc_lattice];
-  list.first_segment.assign(1, 0);
-  list.segment.clear();
-  for (int k = 0; k < list.count(); ++k) {
-    each_near_segment(parts, now, list.a[k], list.b[k], brute_force_ ? infinity : margin + skin_,
-                      [&](int segment) { list.segment.push_back(segment); });
-    list.first_segment.push_back(static_cast<int>(list.segment.size()));
-  }
 }
 
 }  // namespace furrow

@@ -5,10 +5,11 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
-#include "system/grid.h"
+#include "system/size_classes.h"
 #include "system/surface.h"
 
 namespace furrow {
@@ -70,31 +71,40 @@ class NeighbourSearch {
   std::vector<std::vector<Spill>> spilled;  // into each chunk, ascending
   int spills = 0;
   long rebuilds = 0;
+  long looks = 0;  // at distances and at rows of cells, for all lists so far: what they cost
 
  private:
   struct Pair {
     int a, b;
+    friend auto operator<=>(const Pair&, const Pair&) = default;
   };
   struct Member {
     Pair pair;
     int slot;
     std::uint32_t near_at;
   };
-  struct Piece {  // of a new list
-    std::vector<Pair> near;
+  struct Piece {             // of a new list
+    std::vector<Pair> near;  // sorted
+    std::vector<Pair> across, from_others, merged;
     std::vector<Member> member;
     int start = 0;
+    long looks = 0;
   };
 
   bool current(const Parts& parts, const Placement& now, int threads) const;
   void remember(const Parts& parts, const Placement& now);
   void check_finite(const Parts& parts, const Placement& now) const;
+  void sort(const Parts& parts, const Placement& now);
   void renew(const Parts& parts, const Placement& now, ContactKind kind, int threads);
-  void near_flat(const Parts& parts, const Placement& now, ContactKind kind, std::vector<Pair>& near) const;
-  void near_discs(const Parts& parts, const Placement& now, int first, int last, std::vector<Pair>& near) const;
+  void find_flat(const Parts& parts, const Placement& now, ContactKind kind, Piece& piece);
+  void find_segments(const Parts& parts, const Placement& now, Piece& piece);
+  void find_discs(const Parts& parts, const Placement& now, int threads, int pieces);
+  void near_discs(const Parts& parts, const Placement& now, int first, int last, Piece& piece) const;
+  void near_disc(const Parts& parts, const Placement& now, int i, Piece& piece) const;
+  void share_across(int pieces);
   static void keep_held(const Candidates& old, int first, int last, Piece& piece);
   void write_out(const Parts& parts, ContactKind kind, const Piece& piece);
-  void find_segments(const Parts& parts, const Placement& now);
+  void list_segments(const Parts& parts);
   void cut_into_chunks(int discs);
 
   bool idle_ = true;  // nothing can ever touch
@@ -104,8 +114,9 @@ class NeighbourSearch {
   bool made_ = false;
   double made_at_ = 0;  // s
   std::vector<double> disc_x_, disc_y_, node_x_, node_y_;
-  double greatest_radius_ = 0;  // m
-  Grid grid_;
+  SizeClasses discs_, nodes_;
+  double node_cell_ = 0;           // m
+  std::vector<Pair> near_border_;  // disc and segment, sorted
   std::vector<Piece> pieces_;
 };
 

@@ -29,6 +29,16 @@ struct Gap {
   double nx, ny;  // unit vector from the disc or node to the other part
 };
 
+struct Rectangle {
+  double left, right, lower, upper;  // m
+};
+
+inline Rectangle rectangle_at(const PlatePart& p, double t) {
+  const double left = p.left + p.vx * t;
+  const double lower = p.lower + p.vy * t;
+  return {left, left + p.width, lower, lower + p.height};
+}
+
 // Disc or node `a` against wall or plate `b`.
 inline Gap flat_gap(const Parts& parts, const Placement& now, ContactKind kind, int a, int b) {
   const double x = of_disc(kind) ? now.disc_x[a] : now.node_x[a];
@@ -38,10 +48,8 @@ inline Gap flat_gap(const Parts& parts, const Placement& now, ContactKind kind, 
     const WallPart& w = parts.wall[b];
     n = nearest_on_wall(x, y, w.px, w.py, w.nx, w.ny);
   } else {
-    const PlatePart& p = parts.plate[b];
-    const double left = p.left + p.vx * now.t;
-    const double lower = p.lower + p.vy * now.t;
-    n = nearest_on_rectangle(x, y, left, left + p.width, lower, lower + p.height);
+    const Rectangle p = rectangle_at(parts.plate[b], now.t);
+    n = nearest_on_rectangle(x, y, p.left, p.right, p.lower, p.upper);
   }
   return {n.distance - (of_disc(kind) ? parts.disc.radius[a] : 0), n.nx, n.ny};
 }
