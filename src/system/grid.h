@@ -48,9 +48,9 @@ class Axis {
 
   // Of the cells with this number, widened by more than the rounding of `cell_of`; false where that is not small.
   bool extent(std::int64_t number, Extent& r) const {
-    const auto n = static_cast<double>(number);
+    const auto n = static_cast<double>(number);  // rounded towards 0
     const double slack = 1e-3 * cell_ + 1e-15 * std::fabs(start_);
-    r = {start_ + n * cell_ - slack, start_ + (n + 1) * cell_ + slack};
+    r = {start_ + (n > 0 ? n : n - 1) * cell_ - slack, start_ + (n < 0 ? n : n + 1) * cell_ + slack};
     return std::fabs(n) < 0x1p26;
   }
 
@@ -58,7 +58,7 @@ class Axis {
   Axis(double start, double cell, std::int64_t count, bool folded = false)
       : start_(start), cell_(cell), count_(count), folded_(folded) {}
   std::int64_t number(double x) const {
-    return static_cast<std::int64_t>(std::max(-0x1p52, std::min(0x1p52, std::floor((x - start_) / cell_))));
+    return static_cast<std::int64_t>(std::max(-0x1p52, std::min(0x1p52, (x - start_) / cell_)));
   }
 
   double start_, cell_;  // m
