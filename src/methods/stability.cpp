@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "methods/method.h"
 
@@ -43,22 +46,38 @@ bool grows(const std::string& name, double zeta, double h) {
     if (n < steps / 2) early = std::max(early, size);
     if (n >= steps / 2) late = std::max(late, size);
   }
-  return late > 1.01 * early;
+  return late > early * std::exp(growth_seen * steps / 2);
+}
+
+// In units of 1/omega. Steps lengthen until one grows: a region of stability need not begin at zero, and what lies
+// beyond its first end does not count.
+double first_growing_step(const std::string& name, double zeta) {
+  constexpr double stride = 1.15, most = 10;  // above the limit of every explicit method here
+  double stable = 0;
+  double next = 1e-3 / std::max(1.0, 2 * zeta);
+  for (; !grows(name, zeta, next); next *= stride) {
+    if (next > most) return std::numeric_limits<double>::infinity();
+    stable = next;
+  }
+  if (stable == 0) return 0;
+  while (next - stable > 5e-4 * next) {
+    const double middle = 0.5 * (stable + next);
+    (grows(name, zeta, middle) ? next : stable) = middle;
+  }
+  return stable;
 }
 
 }  // namespace
 
 double largest_stable_step(const std::string& name, const Oscillator& o) {
   if (make_method(name)->info().controlled || o.omega == 0) return std::numeric_limits<double>::infinity();
-  double stable = 0;
-  double unstable = 10;  // times 1/omega: above the limit of every explicit method here
-  if (!grows(name, o.zeta, unstable)) return std::numeric_limits<double>::infinity();
-  while (unstable - stable > 5e-4 * unstable) {
-    const double middle = stable > 0 ? 0.5 * (stable + unstable) : 0.1 * unstable;
-    (grows(name, o.zeta, middle) ? unstable : stable) = middle;
-    if (unstable < 1e-9) return 0;
-  }
-  return stable / o.omega;
+  // A scene asks again and again for the damping ratios of its contacts.
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, double>, double> known;
+  const std::scoped_lock lock(mutex);
+  const auto [found, fresh] = known.try_emplace({name, o.zeta}, 0);
+  if (fresh) found->second = first_growing_step(name, o.zeta);
+  return found->second / o.omega;
 }
 
 }  // namespace furrow

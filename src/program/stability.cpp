@@ -20,6 +20,19 @@ std::string seconds(double step) {
   return text;
 }
 
+const char* verdict(const studies::StableStep& step, double own) {
+  if (!(own < step.measured)) return "UNSTABLE";
+  return own < step.slow || std::isnan(step.slow) ? "stable" : "grows slowly";
+}
+
+std::string energy_words(const studies::Books& books) {
+  if (!books.diverged.empty()) return "diverged: " + books.diverged;
+  if (std::isnan(books.made())) return "nothing moves in them";
+  char text[64];
+  std::snprintf(text, sizeof text, "energy %+.2g %%", 100 * books.made());
+  return text;
+}
+
 void print_standing(const StabilityOptions& options, const Scene& scene, const studies::Standing& s) {
   std::printf("%s\n%s\n\nat t = %g s %td numbers act\n", options.scene.c_str(), scene.title.c_str(), s.t,
               static_cast<std::ptrdiff_t>(s.linearised.acting.size()));
@@ -56,17 +69,15 @@ int stability_command(const StabilityOptions& options) {
     if (const std::string why = refusal(info, s.system); !why.empty()) throw std::invalid_argument(why);
     const studies::StableStep step = studies::stable_step(s, info.name);
     const studies::Books books = studies::run_on(s, info.name, own);
-    std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.predicted).c_str(),
-                seconds(step.measured).c_str());
-    std::printf("%s; ", own < step.measured ? "stable" : "UNSTABLE");
-    if (books.diverged.empty())
-      std::printf("%.1e of the energy is made up\n", books.share());
-    else
-      std::printf("diverged: %s\n", books.diverged.c_str());
+    std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.slow).c_str(), seconds(step.measured).c_str());
+    std::printf("%s; %s\n", verdict(step, own), energy_words(books).c_str());
   }
   std::printf(
-      "\npredicted: amplification factor over the spectrum; measured: above it small changes grow, by the method "
-      "itself, time held still\n");
+      "\npredicted  from the amplification factor over the spectrum, growth of more than 1e-5 a step, as furrow "
+      "explain\n"
+      "           judges by; it takes the whole scene, explain one body with its neighbours held\n"
+      "measured   above it small changes grow by more than 1e-3 a step, by the method itself, time held still\n"
+      "energy     what the method makes (+) or loses (-) of the energy that the scene has and is given\n");
   return good;
 }
 

@@ -152,12 +152,13 @@ bool linear_form_grows(const Standing& s, const Scheme& scheme, double h) {
 
 // s, the least of r(arg lambda)/|lambda|; which eigenvalue. The rim is tabulated to sort the eigenvalues, then computed
 // at those that come first.
-std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd& values, const Scheme& scheme) {
+std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd& values, const Scheme& scheme,
+                                                          double growth = growth_in_scenes) {
   constexpr int directions = 90;
   std::vector<double> rim(directions + 1);
   for (int k = 0; k <= directions; ++k) {
     const double angle = std::numbers::pi * (0.5 + 0.5 * k / directions);
-    rim[k] = largest_stable_radius(scheme, std::polar(1.0, angle), growth_in_scenes, 1e3);
+    rim[k] = largest_stable_radius(scheme, std::polar(1.0, angle), growth, 1e3);
   }
   const double largest = values.cwiseAbs().maxCoeff();
   std::vector<std::pair<double, std::complex<double>>> limits;
@@ -172,8 +173,7 @@ std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd
   std::partial_sort(limits.begin(), limits.begin() + static_cast<std::ptrdiff_t>(first), limits.end(), sooner);
   limits.resize(first);
   if (limits.empty()) return {infinity, 0};
-  for (auto& [limit, value] : limits)
-    limit = largest_stable_radius(scheme, value, growth_in_scenes, 1e3) / std::abs(value);
+  for (auto& [limit, value] : limits) limit = largest_stable_radius(scheme, value, growth, 1e3) / std::abs(value);
   return *std::min_element(limits.begin(), limits.end(), sooner);
 }
 
@@ -204,11 +204,11 @@ Standing standing_at(Scene scene, double t, const std::function<bool(double, dou
   return standing(std::move(p.system), t, std::move(p.y));
 }
 
-double predicted_step(const Standing& s, const std::string& method) {
+double predicted_step(const Standing& s, const std::string& method, double growth) {
   const Scheme* scheme = scheme_of(method);
   if (!scheme) return NAN;
   if (s.fastest == 0.0) return infinity;
-  if (scheme->by_eigenvalue) return limit_by_spectrum(s.values, *scheme).first;
+  if (scheme->by_eigenvalue) return limit_by_spectrum(s.values, *scheme, growth).first;
   return by_bisection([&](double h) { return linear_form_grows(s, *scheme, h); }, 1 / std::abs(s.fastest));
 }
 
@@ -226,18 +226,20 @@ Books run_on(const Standing& s, const std::string& method, double h, int steps) 
       run(system, *make_method(method), y, plan, [&](double, const State&, const JumpReport&) { return ++n <= steps; });
   const Energies now = observe(system, end.time, y).energy;
   return {end.reason, now.residual(start),
-          std::fabs(now.plate_work - start.plate_work) + std::fabs(now.lost() - start.lost())};
+          std::fabs(now.plate_work - start.plate_work) + std::fabs(now.lost() - start.lost()), now.supplied(start)};
 }
+
+double Books::made() const { return supplied > 0 ? residual / supplied : NAN; }
 
 bool has_stable_step(const Standing& s, const MethodInfo& method) {
   return !method.controlled && !method.dense_jacobian && scheme_of(method.name) && refusal(method, s.system).empty();
 }
 
 StableStep stable_step(const Standing& s, const std::string& method) {
-  if (s.fastest == 0.0) return {method, infinity, infinity};
+  if (s.fastest == 0.0) return {method, infinity, infinity, infinity};
   const double predicted = predicted_step(s, method);
   const double guess = std::isfinite(predicted) && predicted > 0 ? predicted : 1 / std::abs(s.fastest);
-  return {method, predicted, measured_step(s, method, guess)};
+  return {method, predicted, measured_step(s, method, guess), predicted_step(s, method, growth_seen)};
 }
 
 }  // namespace furrow::studies

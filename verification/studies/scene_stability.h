@@ -38,12 +38,13 @@ struct StableStep {
   std::string method;
   double predicted = 0;  // s, infinity: any step
   double measured = 0;   // s, small changes of the scene held still grow above it
+  double slow = 0;       // s, predicted for the growth that `furrow explain` judges by, growth_seen
 };
 
 // By theory. Methods that act on each eigenvalue alone: the least over the spectrum of the distance from zero to the
 // rim of the stability region. Others: growth of their linear form on the whole Jacobian. Eigenvalues within 1e-6 of
 // zero, of the largest, are those of rigid motion and left out. NaN if the method's theory is not known.
-double predicted_step(const Standing& s, const std::string& method);
+double predicted_step(const Standing& s, const std::string& method, double growth = growth_in_scenes);
 
 // The solver's right-hand side and the method itself, time held still:  e' = f(t0, y0 + e) - f(t0, y0)  from a small
 // random e. The step counts as unstable if the change in a step grows over two thousand steps beyond the scene's own
@@ -56,6 +57,9 @@ struct Books {
   std::string diverged;  // why, or empty
   double residual = 0;   // J
   double handled = 0;    // J, work of the plates and losses, without sign
+  double supplied = 0;   // J, what the scene had and was given, see Energies::supplied
+  // -, of what was supplied; NaN if that is nothing but round-off of the energies that there are
+  double made() const;
   double share() const { return handled > 0 ? std::fabs(residual) / handled : 0; }
 };
 Books run_on(const Standing& s, const std::string& method, double h, int steps = 200);
