@@ -9,6 +9,8 @@
 #include "methods/method.h"
 #include "page/embedded.h"
 #include "program/commands.h"
+#include "program/explain_line.h"
+#include "program/explain_validity.h"
 #include "program/progress.h"
 #include "scene/read.h"
 #include "system/observe.h"
@@ -17,15 +19,6 @@
 
 namespace furrow {
 namespace {
-
-[[gnu::format(printf, 2, 3)]] void line(const std::string& part, const char* pattern, ...) {
-  std::printf("  %-22s ", part.c_str());
-  std::va_list values;
-  va_start(values, pattern);
-  std::vprintf(pattern, values);
-  va_end(values);
-  std::printf("\n");
-}
 
 std::string count(std::size_t n, const std::string& one) { return std::to_string(n) + " " + one + (n == 1 ? "" : "s"); }
 
@@ -57,6 +50,10 @@ void print_left_out(const Scene& scene, const System& system) {
   const Parts& parts = system.parts();
   std::printf("\nleft out\n");
   if (!system.has_friction()) line("friction", "every friction coefficient is zero: no spins, no tangential springs");
+  if (!system.has_friction()) print_spins(scene);
+  if (system.has_rolling() && parts.disc.count() > 0)
+    line("rest by rolling", "rolling friction is smoothed below %g rad/s: it slows, but holds nothing still",
+         system.rolling_smoothing());
   if (system.has_friction() && !system.has_rolling() && parts.disc.count() > 0)
     line("rolling resistance", "every rolling friction coefficient is zero");
   if (parts.disc.count() == 0) line("neighbour search", "no discs");
@@ -77,6 +74,7 @@ void print_left_out(const Scene& scene, const System& system) {
   if (parts.link.count() > 0 && scene.time.locate == Locate::none)
     line("tears within a step", "are seen at its end (time.locate = \"tears\" ends it there)");
   if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
+  print_borders(scene, parts);
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
 }
 
@@ -159,6 +157,7 @@ void print_start(const Prepared& prepared) {
 void print_step(const Timing& time, const Prepared& prepared) {
   const StiffPart part = stiffest_part(prepared.system, 0, prepared.y);
   std::printf("\nstable step\n");
+  print_arrival(time, prepared);
   if (part.name.empty()) return line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
   line("stiffest part", "%s, %d contacts, its neighbours held%s", part.name.c_str(), part.contacts,
        part.spins ? ", its fastest motion a spin" : "");
@@ -189,6 +188,8 @@ int explain_command(const RunOptions& options) {
   print_not_needed(scene);
   print_contacts(scene, system);
   print_smallest_disc(scene, system.parts());
+  print_passing(system.parts());
+  print_allowed(scene);
   std::fflush(stdout);
   const Prepared prepared = prepare(
       scene, [&](double t, double) { return progress.show(options.scene, "settling", t, scene.settle->limit); });

@@ -1,0 +1,107 @@
+#include "program/explain_validity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "program/explain_line.h"
+#include "scene/wording.h"
+#include "system/stiffness.h"
+
+namespace furrow {
+namespace {
+
+// What an impact needs at the least to carry one through the other, elastic and with the contact's damping.
+void print_speed(const std::string& pair, const Parts& parts, const ContactId& contact, double radius, double mass,
+                 const ContactLaw& law) {
+  const double elastic = std::sqrt(2 * passing_work(parts, contact, law, radius) / mass);
+  if (std::isfinite(elastic))
+    line(pair, "from %.3g m/s on; with its damping from %.3g m/s", elastic, elastic / impact_factor(law));
+}
+
+// One disc of each radius, mass and material, at most so many.
+std::vector<int> kinds_of_discs(const DiscArrays& disc) {
+  constexpr std::size_t most = 8;
+  std::vector<int> kinds;
+  for (int i = 0; i < disc.count() && kinds.size() < most; ++i) {
+    const auto same = [&](int k) {
+      return disc.radius[k] == disc.radius[i] && disc.mass[k] == disc.mass[i] && disc.material[k] == disc.material[i];
+    };
+    if (std::none_of(kinds.begin(), kinds.end(), same)) kinds.push_back(i);
+  }
+  return kinds;
+}
+
+void print_disc(const Parts& parts, int i) {
+  const DiscArrays& disc = parts.disc;
+  const std::string name = "disc of " + shortest(disc.radius[i]) + " m";
+  const auto law = [&](int material) { return parts.law[parts.law_of(disc.material[i], material)]; };
+  print_speed(name + ", its like", parts, {disc_disc, i, i}, disc.radius[i] / 2, disc.mass[i] / 2,
+              law(disc.material[i]));
+  for (int k = 0; k < static_cast<int>(parts.plate.size()); ++k)
+    print_speed(name + ", plate " + std::to_string(k), parts, {disc_plate, i, k}, disc.radius[i], disc.mass[i],
+                law(parts.plate[k].material));
+  for (int k = 0; k < static_cast<int>(parts.lattice.size()); ++k)
+    print_speed(name + ", lattice " + std::to_string(k), parts, {disc_lattice, i, k}, disc.radius[i], disc.mass[i],
+                law(parts.lattice[k].material));
+}
+
+}  // namespace
+
+// What a disc on the border of a lattice feels of it. The points are 1/n of the spacing apart: the nearest one lies up
+// to half of that beside the foot of the perpendicular.
+void print_borders(const Scene& scene, const Parts& parts) {
+  if (parts.node.count() == 0 || parts.disc.count() == 0) return;
+  line("inner nodes", "touch no disc; a link that tears opens the border, and no new border is found");
+  const double least = *std::min_element(parts.disc.radius.begin(), parts.disc.radius.end());
+  for (const Lattice& l : scene.lattice) {
+    if (l.auxiliary_points == 0) continue;
+    const double half = l.spacing / (l.auxiliary_points + 1) / 2;
+    line("border of " + l.name,
+         "%d points on each segment: %.3g m rough, the normal up to %.2g degrees off for a disc of %g m",
+         l.auxiliary_points, least - std::sqrt(least * least - half * half), std::asin(half / least) * 180 / pi, least);
+    line("", "a disc that rolls or slides along loses energy to that; auxiliary_points = 0 is smooth");
+  }
+}
+
+void print_spins(const Scene& scene) {
+  const auto spins = [](const Disc& d) { return d.spin != 0; };
+  if (std::any_of(scene.disc.begin(), scene.disc.end(), spins))
+    line("spins", "stay as the scene gives them: without friction nothing turns a disc");
+}
+
+void print_passing(const Parts& parts) {
+  if (parts.disc.count() == 0 && (parts.node.count() == 0 || parts.plate.empty())) return;
+  std::printf("\nhow fast one must meet the other, head-on, to pass through it\n");
+  for (const int i : kinds_of_discs(parts.disc)) print_disc(parts, i);
+  for (int k = 0; k < static_cast<int>(parts.plate.size()) && parts.node.count() > 0; ++k)
+    print_speed("node, plate " + std::to_string(k), parts, {node_plate, 0, k}, parts.node.contact_radius[0],
+                parts.node.mass[0], parts.law[parts.law_of(parts.node.material[0], parts.plate[k].material)]);
+  line("", "pushed slowly, with that work, it passes too");
+}
+
+void print_allowed(const Scene& scene) {
+  if (!scene.allow) return;
+  std::printf("\nallowed beyond the validity of the laws\n");
+  const Allow& a = *scene.allow;
+  if (a.energy_made) line("energy made", "up to %g of what the scene is given", *a.energy_made);
+  if (a.energy_lost) line("energy lost", "up to %g of what the scene is given", *a.energy_lost);
+  if (a.overlap) line("overlap", "up to %g of the smaller radius", *a.overlap);
+  if (a.step) line("step", "up to %g times the largest stable one", *a.step);
+  if (a.behind_walls) line("walls", "centres of discs may lie behind them");
+  if (a.through_plates) line("plates", "centres may cross them");
+  if (a.through_lattices) line("lattices", "centres may cross their borders");
+}
+
+void print_arrival(const Timing& time, const Prepared& prepared) {
+  const Parts& parts = prepared.system.parts();
+  double speed = greatest_speed(prepared.system, prepared.y);
+  for (const PlatePart& p : parts.plate) speed = std::max(speed, std::hypot(p.vx, p.vy));
+  const Oscillator impact = stiffest_impact(parts, speed);
+  if (!(impact.omega > 0)) return;
+  const double limit = largest_stable_step(time.method, impact);
+  if (!std::isfinite(limit)) return;
+  line("an impact to come", "at %.3g m/s allows %s %.3g s%s", speed, time.method.c_str(), limit,
+       time.step > limit ? ": NOT the scene's step" : "");
+}
+
+}  // namespace furrow

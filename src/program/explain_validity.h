@@ -1,0 +1,23 @@
+// The parts of furrow explain that say what a scene may do to the validity of its laws.
+#pragma once
+
+#include "system/prepare.h"
+
+namespace furrow {
+
+// What discs feel of the borders of lattices, and what they do not.
+void print_borders(const Scene& scene, const Parts& parts);
+
+// Spins that nothing changes.
+void print_spins(const Scene& scene);
+
+// From what speed on one passes through the other.
+void print_passing(const Parts& parts);
+
+// What the scene allows itself.
+void print_allowed(const Scene& scene);
+
+// The step that an impact at the greatest speed of the start would allow.
+void print_arrival(const Timing& time, const Prepared& prepared);
+
+}  // namespace furrow
