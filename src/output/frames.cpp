@@ -76,7 +76,7 @@ Table discs_of(const System& system, double t, const State& y) {
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   for (int i = 0; i < system.parts().disc.count(); ++i) {
     table.add(y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], y[system.vx_of(i)],
-              y[system.vy_of(i)], system.has_friction() ? y[system.spin_of(i)] : 0.0, von_mises(stress[i]));
+              y[system.vy_of(i)], system.spin(y, i), von_mises(stress[i]));
   }
   return table;
 }

@@ -10,6 +10,7 @@
 #include "output/first_touch.h"
 #include "output/machine.h"
 #include "output/series.h"
+#include "output/validity_json.h"
 #include "scene/read.h"
 #include "system/observe.h"
 #include "system/prepare.h"
@@ -64,7 +65,7 @@ void write_state(const fs::path& directory, const System& system, double t, cons
                   "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]");
   for (int i = 0; i < parts.disc.count(); ++i) {
     file.row("disc", i, y[system.x_of(i)], y[system.y_of(i)], y[system.vx_of(i)], y[system.vy_of(i)],
-             system.has_friction() ? y[system.spin_of(i)] : 0, parts.disc.radius[i], von_mises(stress[i]));
+             system.spin(y, i), parts.disc.radius[i], von_mises(stress[i]));
   }
   for (int n = 0; n < parts.node.count(); ++n) {
     file.row(parts.node.body[n] < 0 ? "fixed node" : "node", n, nodes.x[n], nodes.y[n], nodes.vx[n], nodes.vy[n], "",
@@ -130,18 +131,22 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["settling_cpu_seconds"] = cpu_seconds() - began;
   json["surface"] = nullptr;
   if (prepared->surface) json["surface"] = *prepared->surface;
-  const std::vector<std::string> warnings = step_warnings(system, 0, y, time.method, time.step);
-  json["warnings"] = warnings;
-  for (const std::string& warning : warnings) request.warn(warning);
+  json["warnings"] = prepared->warnings;
+  for (const std::string& warning : prepared->warnings) request.warn(warning);
 
   const double cpu = cpu_seconds(), wall = wall_seconds();
-  Series series(request.directory, prepared->scene);
+  Validity validity(system, prepared->scene, [&](const std::string& text) {
+    json["warnings"].push_back(text);
+    request.warn(text);
+  });
+  Series series(request.directory, prepared->scene, validity);
   const auto method = make_method(time.method, {time.relative_tolerance, time.absolute_tolerance, time.step});
   const RunPlan plan{.start = 0,
                      .end = time.end,
                      .step = method->info().controlled ? time.max_step : time.step,
                      .stop = [&](double t) { return series.next_stop(t); },
-                     .locate = time.locate};
+                     .locate = time.locate,
+                     .validity = &validity};
   long steps = 0;
   FirstTouch touch;
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
@@ -158,12 +163,11 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["cpu_seconds"] = cpu_seconds() - cpu;
   json["wall_seconds"] = wall_seconds() - wall;
   json["state_hash"] = hexadecimal(system.state_hash(y));
-  json["greatest_relative_overlap"] = series.greatest_overlap().relative;
-  json["greatest_overlap_between"] = series.greatest_overlap().between;
+  add_extremes(json, validity, prepared->scene);
+  json["validity"] = validity_json(validity);
   json["plate_meets_lattice"] = nullptr;
   if (std::isfinite(touch.time())) json["plate_meets_lattice"] = touch.time();
-  const bool finished = end.ending == Ending::finished, stopped = end.ending == Ending::stopped;
-  return conclude(finished ? "finished" : stopped ? "interrupted" : "diverged", end.reason, end.time);
+  return conclude(to_string(end.ending), end.reason, end.time);
 }
 
 }  // namespace furrow

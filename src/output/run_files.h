@@ -21,8 +21,8 @@ struct RunRequest {
 };
 
 struct RunOutcome {
-  std::string ended;   // "finished", "diverged" or "interrupted"
-  std::string reason;  // of a divergence
+  std::string ended;   // "finished", "diverged", "invalid" or "interrupted"
+  std::string reason;  // of a divergence or invalidity
   std::string json;    // what run.json says
 };
 

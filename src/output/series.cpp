@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "methods/method.h"
 
@@ -22,9 +21,10 @@ std::string name_or_index(const std::string& name, std::size_t index) {
 
 }  // namespace
 
-Series::Series(const std::filesystem::path& directory, const Scene& scene)
+Series::Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity)
     : scene_(scene),
       slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
+      validity_(validity),
       force_(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]"),
       energy_(directory / "energy.csv",
               "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
@@ -70,30 +70,10 @@ void Series::add_rows(const System& system, double t, const State& y) {
   if (system.keeps_ledger()) {
     energy_.row(t, e.kinetic, e.gravity, e.load, e.springs, e.contact_elastic, e.link_damping, e.contact_viscous,
                 e.friction, e.rolling, e.tear, e.plate_work, e.stiffening, e.residual(start_));
-    check_books(seen);
+    validity_.book(t, seen);
   }
   motion_.row(t, seen.momentum.x, seen.momentum.y, seen.momentum.angular, seen.contacts, seen.overlap.depth,
               seen.overlap.relative, greatest_speed(system, y));
-  if (seen.overlap.relative > greatest_.relative) greatest_ = seen.overlap;
-}
-
-// A method beyond its stability limit need not throw bodies out of the scene: links that turn bound what grows. A
-// hundredfold, since a stable method swings too: Verlet's energy by 1/(1 - (omega h/2)^2), a hundred at 0.995 of its
-// limit. Below a picojoule it may be round-off.
-void Series::check_books(const Observation& seen) {
-  constexpr double most = 100, round_off = 1e-12;  // -, J
-  double in_a_step = 0;                            // J, of which the method cannot know yet when a plate touches
-  for (std::size_t k = 0; k < seen.plate.size(); ++k) {
-    const Vec2& v = scene_.plate[k].velocity;
-    in_a_step += std::fabs(seen.plate[k].x * v.x + seen.plate[k].y * v.y) * scene_.time.step;
-  }
-  supplied_ = std::max(supplied_, seen.energy.supplied(start_) + in_a_step);
-  const double live = seen.energy.live();
-  if (live <= most * supplied_ + round_off) return;
-  std::ostringstream text;
-  text << "the scene moves and strains with " << live << " J, but was never given more than " << supplied_
-       << " J: the method has made the rest, its step is too long (output.energy = false runs on without this check)";
-  throw Divergence(text.str());
 }
 
 void Series::add_tear(const System& system, const Tear& tear) {

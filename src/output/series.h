@@ -7,7 +7,7 @@
 #include "output/files.h"
 #include "output/frames.h"
 #include "scene/scene.h"
-#include "system/observe.h"
+#include "system/validity.h"
 
 namespace furrow {
 
@@ -15,10 +15,11 @@ class Series {
  public:
   // plate_force.csv, energy.csv, motion.csv, events.csv, frames/frames.csv and run.pvd of this scene, which must
   // outlive the series, in `directory`.
-  Series(const std::filesystem::path& directory, const Scene& scene);
+  // `validity` looks at the energy of each row.
+  Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity);
 
   // Rows and frames that are due; a fixed step takes the accepted time nearest to what was asked for, a method that
-  // chooses its steps has ended one there. Throws Divergence if the method has made the energy.
+  // chooses its steps has ended one there.
   void see(const System& system, double t, const State& y, const JumpReport& report);
 
   // The next time at which something is due, for methods that choose their steps.
@@ -27,20 +28,16 @@ class Series {
   // Files of a run that is not complete keep the ending .partial.
   void close(bool complete);
 
-  const Overlap& greatest_overlap() const { return greatest_; }
-
  private:
   void add_rows(const System& system, double t, const State& y);
-  void check_books(const Observation& seen);
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;
   const double slack_;  // s
+  Validity& validity_;
   OutputFile force_, energy_, motion_, events_;
   Frames frames_;
   Energies start_;
-  double supplied_ = 0;  // J, the most so far
-  Overlap greatest_;
   long rows_ = 0;
   std::size_t pictures_ = 0;
 };

@@ -132,4 +132,27 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
 // What the normal spring holds: the integral of Fe from 0 to d.
 inline double elastic_energy(double elastic, double overlap) { return 0.4 * elastic * overlap; }
 
+// J: the same, of a contact of which only the overlap is known. Two that meet with more kinetic energy, m* v^2/2, go
+// deeper.
+inline double elastic_energy(const ContactLaw& law, double reduced_radius, double overlap) {
+  return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
+}
+
+// -: what damping leaves of the depth of a head-on impact, as d^(5/4): with z = d^(5/4) this law is a linear oscillator
+// of damping ratio beta (Antypov and Elliott 2011, EPL 94, 50004), whose first peak is
+//   exp(-beta/r atan(r/beta)),  r = sqrt(1 - beta^2),   or with r = sqrt(beta^2 - 1) and artanh beyond beta = 1.
+inline double impact_factor(const ContactLaw& law) {
+  const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+  const double r = std::sqrt(std::fabs(1 - beta * beta));
+  if (beta == 0) return 1;
+  if (r < 1e-6) return std::exp(-1.0);
+  return std::exp(-beta / r * (beta < 1 ? std::atan(r / beta) : std::atanh(r / beta)));
+}
+
+// m: how deep an elastic head-on impact goes.
+inline double impact_overlap(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
+  const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(reduced_radius);
+  return std::pow(5 * reduced_mass * speed * speed / (4 * factor), 0.4);
+}
+
 }  // namespace furrow

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 int exit_code_of(const RunOutcome& outcome) {
-  return outcome.ended == "finished" ? good : outcome.ended == "diverged" ? diverged : interrupted;
+  return outcome.ended == "finished" ? good : outcome.ended == "interrupted" ? interrupted : diverged;
 }
 
 RunOutcome run_one(const RunOptions& options, Progress& progress) {
@@ -40,6 +40,9 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
   const std::string in_directory = " in " + directory.string();
   if (outcome.ended == "diverged")
     progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is" + in_directory);
+  if (outcome.ended == "invalid")
+    progress.say("furrow: error: " + name + " is invalid: " + outcome.reason + "; what it had written is" +
+                 in_directory);
   if (outcome.ended == "interrupted")
     progress.say("furrow: " + name + " was interrupted; what it had written is marked .partial" + in_directory);
   return outcome;

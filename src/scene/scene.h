@@ -173,6 +173,18 @@ struct Output {
   bool energy = true;            // keep the energy ledger
 };
 
+// What this scene is known to do beyond the validity of its laws: it then neither warns nor ends the run. See
+// validity.h.
+struct Allow {
+  std::optional<double> energy_made{};  // -, of the energy that the scene was given
+  std::optional<double> energy_lost{};  // -, the same
+  std::optional<double> overlap{};      // -, of the smaller radius
+  std::optional<double> step{};         // -, times the largest stable step
+  bool behind_walls = false;            // centres of discs behind a wall
+  bool through_plates = false;          // centres that cross the middle of a plate
+  bool through_lattices = false;        // centres that cross the border of a lattice
+};
+
 struct Scene {
   std::string title{};
   Model model{};
@@ -183,6 +195,7 @@ struct Scene {
   std::vector<Disc> disc{};
   std::vector<Packing> packing{};
   std::optional<Settle> settle{};
+  std::optional<Allow> allow{};
   std::vector<Wall> wall{};
   std::vector<Plate> plate{};
   std::vector<Lattice> lattice{};

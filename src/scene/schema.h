@@ -159,6 +159,16 @@ void describe(auto& v, Output& o) {
   v("energy", o.energy);
 }
 
+void describe(auto& v, Allow& a) {
+  v("energy_made", a.energy_made, "-", positive);
+  v("energy_lost", a.energy_lost, "-", positive);
+  v("overlap", a.overlap, "-", positive);
+  v("step", a.step, "-", positive);
+  v("behind_walls", a.behind_walls);
+  v("through_plates", a.through_plates);
+  v("through_lattices", a.through_lattices);
+}
+
 void describe(auto& v, Scene& s) {
   v.required("title", s.title);
   v("model", s.model);
@@ -173,6 +183,7 @@ void describe(auto& v, Scene& s) {
   v("plate", s.plate);
   v("lattice", s.lattice);
   v("output", s.output);
+  v("allow", s.allow);
 }
 
 }  // namespace furrow

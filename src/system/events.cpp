@@ -177,8 +177,10 @@ double EventSteps::next_time(double t, double end, double h) {
 }
 
 void EventSteps::accept(const State& before, double t, State& y, double h, JumpReport& report) {
-  check_(before, y, h);
+  const Step step{t, h, before, y};
+  check_(step);
   const JumpReport one = jump(system_, method_, t, y);
+  if (validity_) validity_->see(step, one);
   report.torn.insert(report.torn.end(), one.torn.begin(), one.torn.end());
   report.springs_changed = report.springs_changed || one.springs_changed;
   report.grown = {report.grown.count + one.grown.count, one.grown.before_end};

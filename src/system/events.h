@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "methods/method.h"
-#include "system/system.h"
+#include "system/validity.h"
 
 namespace furrow {
 
@@ -56,10 +56,15 @@ JumpReport jump(System& system, Method& method, double t, State& y);
 
 class EventSteps {
  public:
-  // `check` throws Divergence if the step from one state to another is not sound.
-  using Check = std::function<void(const State& before, const State& after, double h)>;
-  EventSteps(System& system, Method& method, Locate what, Check check, EventMemory& memory)
-      : system_(system), method_(method), what_(what), check_(std::move(check)), memory_(memory) {}
+  // `check` throws Divergence if the step is not sound. `validity`, if there is one, sees each state that is accepted.
+  using Check = std::function<void(const Step& step)>;
+  EventSteps(System& system, Method& method, Locate what, Check check, Validity* validity, EventMemory& memory)
+      : system_(system),
+        method_(method),
+        what_(what),
+        check_(std::move(check)),
+        validity_(validity),
+        memory_(memory) {}
 
   // Carries y from t to `end`, or, for a controlled method, as far as it dares, applies the jumps on the way and
   // reports them together. `h` is the usual step. Returns the time reached. Throws Divergence, also where events are
@@ -82,6 +87,7 @@ class EventSteps {
   Method& method_;
   Locate what_;
   Check check_;
+  Validity* validity_;
   EventMemory& memory_;
   State rates_, ahead_;
 };

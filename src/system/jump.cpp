@@ -11,10 +11,18 @@ namespace furrow {
 
 JumpReport System::jump(double t, State& y) {
   JumpReport report;
-  if (friction_) return_springs(t, y, report);
+  if (watched_) begin_survey();
+  if (friction_) {
+    return_springs(t, y, report);
+  } else if (watched_) {
+    rates_.resize(y.size());
+    add_up(t, y, nullptr, rates_, [&](const TouchBlock& c, int chunk) { survey_block(c, chunk); });
+  }
+  if (watched_) finish_survey();
   if (!preparing_) tear_links(t, y, report);
   report.grown = std::exchange(slots_.grown, {});
-  report.rates = friction_ && report.torn.empty() ? &rates_ : nullptr;
+  report.rates = (friction_ || watched_) && report.torn.empty() ? &rates_ : nullptr;
+  report.survey = watched_ ? &survey_ : nullptr;
   return report;
 }
 
@@ -33,6 +41,7 @@ void System::return_springs(double t, State& y, JumpReport& report) {
   if (keeps_ledger_) returned = y[ledger_of(friction_work)];
   add_up(t, y, &slots_, rates_, [&](const TouchBlock& c, int chunk) {
     if (put_returned(c, slots_.spring)) changed = true;
+    if (watched_) survey_block(c, chunk);
     if (!keeps_ledger_) return;
     double& sum = chunk_returned_[chunk];
     for (int k = 0; k < c.count; ++k)

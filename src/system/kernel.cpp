@@ -92,6 +92,31 @@ FURROW_WIDE void meet_walls_lanes(TouchBlock& c, const DiscMotion& disc, const W
 }
 
 template <int N>
+FURROW_WIDE BlockExtremes extremes_lanes(const TouchBlock& c) {
+  using Real = Reals<N>;
+  const double* radius_b = c.kind == disc_disc ? &c.radius_b[0] : &c.radius_a[0];
+  const double count = c.count;
+  Real number{}, contacts{}, overlap{}, approach{};
+  for (int i = 0; i < N; ++i) number[i] = i;
+  for (int k = 0; k < c.count; k += N, number += N) {
+    const auto a = get<Real>(&c.radius_a[k]), b = get<Real>(radius_b + k);
+    const Real depth = get<Real>(&c.overlap[k]) / (b < a ? b : a);
+    const Real speed = get<Real>(&c.vx[k]) * get<Real>(&c.nx[k]) + get<Real>(&c.vy[k]) * get<Real>(&c.ny[k]);
+    const Real touching = number < count ? get<Real>(&c.touching[k]) : Real{};  // lanes beyond the last were not filled
+    contacts += touching;
+    overlap = depth * touching > overlap ? depth : overlap;
+    approach = speed * touching > approach ? speed : approach;
+  }
+  BlockExtremes all;
+  for (int i = 0; i < N; ++i) {
+    all.contacts += contacts[i];
+    all.overlap = std::max(all.overlap, overlap[i]);
+    all.approach = std::max(all.approach, approach[i]);
+  }
+  return all;
+}
+
+template <int N>
 FURROW_WIDE void take_springs_lanes(TouchBlock& c, const double* spring, int spare) {
   const auto none = static_cast<unsigned>(spare);  // behind all slots, so that the lesser one is right, -1 being huge
   for (int k = 0; k < c.count; ++k) c.place[k] = static_cast<int>(std::min(static_cast<unsigned>(c.slot[k]), none));
@@ -271,6 +296,7 @@ FURROW_WIDTHS_OF(void, line_up,
                  (x, y, vx, vy, row, first, last))
 FURROW_WIDTHS_OF(void, pair_up, (TouchBlock & c, const DiscMotion& disc), (c, disc))
 FURROW_WIDTHS_OF(void, meet_walls, (TouchBlock & c, const DiscMotion& disc, const WallPart* wall), (c, disc, wall))
+FURROW_WIDTHS_OF(BlockExtremes, extremes, (const TouchBlock& c), (c))
 FURROW_WIDTHS_OF(void, take_springs, (TouchBlock & c, const double* spring, int spare), (c, spring, spare))
 FURROW_WIDTHS_OF(void, put_by_place, (const TouchBlock& c, const TouchBlock::Lanes<double>& from, double* by_place),
                  (c, from, by_place))

@@ -52,6 +52,13 @@ void line_up(const double* x, const double* y, const double* vx, const double* v
 void pair_up(TouchBlock&, const DiscMotion&);
 void meet_walls(TouchBlock&, const DiscMotion&, const WallPart*);
 
+// Of the contacts of a block of disc pairs or walls that touch: how many, the greatest overlap, of the smaller radius,
+// and the greatest approach (m/s).
+struct BlockExtremes {
+  double contacts = 0, overlap = 0, approach = 0;
+};
+BlockExtremes extremes(const TouchBlock&);
+
 // Takes note of which contacts are near at jump `now`. True if one of them should take a slot or give it back.
 bool note_near(const TouchBlock&, std::uint32_t* near_at, std::uint32_t now);
 

@@ -21,8 +21,7 @@ void add_motion(const System& system, const State& y, Observation& seen) {
   };
   for (int i = 0; i < parts.disc.count(); ++i) {
     add_body(i, parts.disc.mass[i], system.gravity());
-    if (!system.has_friction()) continue;
-    const double spin = y[system.spin_of(i)];
+    const double spin = system.spin(y, i);
     seen.energy.kinetic += 0.5 * parts.disc.inertia[i] * spin * spin;
     seen.momentum.angular += parts.disc.inertia[i] * spin;
   }
@@ -37,11 +36,16 @@ void add_motion(const System& system, const State& y, Observation& seen) {
 }  // namespace
 
 std::string touch_name(const System& system, const TouchBlock& c, int k) {
+  return contact_name(system, {c.kind, c.a[k], c.b[k]});
+}
+
+std::string contact_name(const System& system, const ContactId& c) {
+  if (c.a < 0) return {};
   const Parts& parts = system.parts();
-  const std::string own = of_disc(c.kind) ? parts.body_name(c.a[k]) : parts.node_name(c.a[k]);
-  if (c.kind == disc_disc) return own + " and " + parts.body_name(c.b[k]);
-  if (c.kind == disc_lattice) return own + " and lattice " + parts.lattice[c.b[k]].name;
-  return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b[k]);
+  const std::string own = of_disc(c.kind) ? parts.body_name(c.a) : parts.node_name(c.a);
+  if (c.kind == disc_disc) return own + " and " + parts.body_name(c.b);
+  if (c.kind == disc_lattice) return own + " and lattice " + parts.lattice[c.b].name;
+  return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b);
 }
 
 double Energies::residual(const Energies& start) const {
@@ -50,8 +54,8 @@ double Energies::residual(const Energies& start) const {
 }
 
 double Energies::supplied(const Energies& start) const {
-  return start.live() + std::fabs(plate_work) + std::fabs(stiffening) + std::max(0.0, start.gravity - gravity) +
-         std::max(0.0, start.load - load);
+  return start.live() + std::fabs(plate_work - start.plate_work) + std::fabs(stiffening - start.stiffening) +
+         std::max(0.0, start.gravity - gravity) + std::max(0.0, start.load - load);
 }
 
 Observation observe(const System& system, double t, const State& y) {

@@ -11,6 +11,7 @@ namespace furrow {
 
 // "disc 3 and wall 0", "disc 3 and lattice stem": which two contact k is of.
 std::string touch_name(const System& system, const TouchBlock& touches, int k);
+std::string contact_name(const System& system, const ContactId& contact);
 
 struct Force {
   double x = 0, y = 0;  // N

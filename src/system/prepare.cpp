@@ -6,7 +6,6 @@
 #include "scene/packing.h"
 #include "system/observe.h"
 #include "system/run.h"
-#include "system/stiffness.h"
 
 namespace furrow {
 namespace {
@@ -19,16 +18,22 @@ struct Settled {
   State y;
   double time;  // s
   long steps;
+  std::vector<std::string> warnings;
 };
 
 Settled settle(const Scene& placed, const SettleProgress& progress) {
-  Settled result{System(placed), {}, 0, 0};
+  Settled result{System(placed), {}, 0, 0, {}};
   System& system = result.system;
   system.prepare(true);
   result.y = system.initial_state();
   const auto method = make_method("pece");
   const double step = placed.settle->step.value_or(placed.time.step);
-  const RunPlan plan{.start = 0, .end = placed.settle->limit, .step = step, .stop = {}};
+  Scene watched = placed;
+  watched.time.method = method->info().name;
+  watched.time.step = step;
+  Validity validity(system, watched,
+                    [&](const std::string& text) { result.warnings.push_back("while settling, " + text); });
+  const RunPlan plan{.start = 0, .end = placed.settle->limit, .step = step, .stop = {}, .validity = &validity};
   long steps = 0;
   bool interrupted = false;
   double speed = 0;
@@ -42,7 +47,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   });
   if (interrupted) throw Interrupted("interrupted while settling");
   std::ostringstream text;
-  if (end.ending == Ending::diverged) {
+  if (end.ending == Ending::diverged || end.ending == Ending::invalid) {
     text << "while settling, at t = " << end.time << " s: " << end.reason;
     throw Divergence(text.str());
   }
@@ -50,8 +55,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     text << "not settled after " << placed.settle->limit << " s: the fastest body"
          << (placed.settle->loose ? " that is not loose" : "") << " moves at " << speed << " m/s, settle.speed is "
          << placed.settle->speed << " m/s; raise settle.limit, settle.speed or settle.loose, or shorten settle.step";
-    for (const std::string& warning : step_warnings(system, end.time, result.y, method->info().name, step))
-      text << "; " << warning;
+    for (const std::string& warning : result.warnings) text << "; " << warning;
     throw Divergence(text.str());
   }
   result.time = end.time;
@@ -73,10 +77,10 @@ Prepared prepare(const Scene& scene, const SettleProgress& progress) {
     ready = place_packings(ready);
     System system(ready);
     State y = system.initial_state();
-    return {std::move(ready), std::move(system), std::move(y), {}, 0, 0};
+    return {std::move(ready), std::move(system), std::move(y), {}, 0, 0, {}};
   }
   const auto needs_surface = [](const Plate& p) { return p.working_depth.has_value(); };
-  Prepared result{{}, System(Scene{}), {}, {}, 0, 0};
+  Prepared result{{}, System(Scene{}), {}, {}, 0, 0, {}};
   if (std::any_of(ready.plate.begin(), ready.plate.end(), needs_surface)) {
     Scene without = ready;
     std::erase_if(without.plate, needs_surface);
@@ -96,6 +100,7 @@ Prepared prepare(const Scene& scene, const SettleProgress& progress) {
   result.system = std::move(bed.system);
   result.y = std::move(bed.y);
   result.settling_time = bed.time;
+  result.warnings = std::move(bed.warnings);
   result.settling_steps += bed.steps;
   if (result.system.keeps_ledger()) {
     std::fill(result.y.end() - ledger_entries, result.y.end(), 0.0);

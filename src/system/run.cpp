@@ -1,10 +1,12 @@
 #include "system/run.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <locale>
 #include <sstream>
 
 #include "methods/wide.h"
@@ -42,30 +44,33 @@ class Watch {
     for (int n = 0; n < parts.node.count(); ++n) {
       if (parts.node.body[n] >= 0) size_.push_back(parts.node.spacing[n]);
     }
+    double side = infinity;
+    for (const PlatePart& p : parts.plate) {
+      side = std::min({side, p.width, p.height});
+      plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
+    }
+    quarter_.assign(size_.size(), side / 4);
   }
 
   // Empty if the step from `before` to `after` is sound; else `body` is the one that went too far, if any.
-  std::string complaint(const State& before, const State& after, double h, int& body) const {
-    std::atomic<bool> unsound = false;
-    in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
-      if (!all_finite(after.data() + first, last - first)) unsound = true;
-    });
+  std::string complaint(const Step& step, int& body) const {
+    const State &before = step.before, &after = step.after;
     const std::size_t bodies = size_.size();
-    in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
-      for (const std::size_t axis : {std::size_t{0}, bodies}) {
-        if (!all_near(before.data() + axis + first, after.data() + axis + first, size_.data() + first, last - first))
-          unsound = true;
-      }
+    std::atomic<bool> finite = true;
+    in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
+      if (!all_finite(after.data() + first, last - first)) finite = false;
     });
-    if (!unsound) return {};
+    if (finite && all_moved_less(step, size_)) return stepped_over(step, body);
     std::ostringstream text;
+    text.imbue(std::locale::classic());
     for (std::size_t i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
       if (moved <= size_[i]) continue;
       body = static_cast<int>(i);
       text << system_.parts().body_name(body);
       if (std::isfinite(moved)) {
-        text << " moved " << moved << " m in one step of " << h << " s, more than its size of " << size_[i] << " m";
+        text << " moved " << moved << " m in one step of " << step.h << " s, more than its size of " << size_[i]
+             << " m";
       } else {
         text << " has a position that is not finite";
       }
@@ -76,8 +81,60 @@ class Watch {
   }
 
  private:
+  // While plates and bodies move by less than a quarter of a plate's smaller side in a step, it meets all it comes to.
+  std::string stepped_over(const Step& step, int& body) const {
+    const Parts& parts = system_.parts();
+    if (parts.plate.empty() || (plate_speed_ * step.h <= quarter_.front() && all_moved_less(step, quarter_))) return {};
+    const ContactId over = furrow::stepped_over(system_, step);
+    if (over.a < 0) return {};
+    body = of_disc(over.kind) ? over.a : parts.node.body[over.a];
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "plate " << over.b << " stepped over " << parts.body_name(body) << " in one step of " << step.h
+         << " s: it was on one side of it before and is on the other now, and they never touched; the step is too long";
+    return text.str();
+  }
+
+  bool all_moved_less(const Step& step, const std::vector<double>& limit) const {
+    std::atomic<bool> all = true;
+    const std::size_t bodies = limit.size();
+    in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
+      for (const std::size_t axis : {first, bodies + first}) {
+        if (!all_near(step.before.data() + axis, step.after.data() + axis, limit.data() + first, last - first))
+          all = false;
+      }
+    });
+    return all;
+  }
+
   const System& system_;
-  std::vector<double> size_;  // m, by body
+  std::vector<double> size_;     // m, by body
+  std::vector<double> quarter_;  // m, of the smallest side of a plate, for each body
+  double plate_speed_ = 0;       // m/s, of the fastest
+};
+
+// A controlled method that takes ever shorter steps would never come to the end, and never say so.
+class Pace {
+ public:
+  Pace(const RunPlan& plan, double start) : end_(plan.end), since_(start) {}
+
+  void check(double t) {
+    if (++steps_ % looks_every != 0) return;
+    const double left = (end_ - t) / (t - since_) * looks_every;
+    since_ = t;
+    if (!(left > most_steps)) return;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "the last " << looks_every << " steps led nowhere: at their pace " << left
+         << " more would be needed to the end; the tolerance is too tight for what the scene does here";
+    throw Divergence(text.str());
+  }
+
+ private:
+  static constexpr long looks_every = 2000;
+  static constexpr double most_steps = 1e9;
+  double end_, since_;  // s
+  long steps_ = 0;
 };
 
 // What a run that has blown up was driven by, as far as the last good state shows it.
@@ -102,6 +159,11 @@ void RunPoint::history(HistoryVisitor& visit) {
   events.history(visit);
 }
 
+std::string to_string(Ending ending) {
+  constexpr std::array words{"finished", "interrupted", "diverged", "invalid"};
+  return words[static_cast<std::size_t>(ending)];
+}
+
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
   if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
   const Watch watch(system);
@@ -116,21 +178,28 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   const State* before = &copied;
   const bool copies = plan.locate != Locate::none || !method.start();
   int body = -1;
-  const auto check = [&](const State& from, const State& to, double h) {
-    if (const std::string complaint = watch.complaint(from, to, h, body); !complaint.empty())
-      throw Divergence(complaint);
+  const auto check = [&](const Step& step) {
+    if (const std::string complaint = watch.complaint(step, body); !complaint.empty()) throw Divergence(complaint);
   };
-  EventSteps stepper(system, method, plan.locate, check, at.events);
+  EventSteps stepper(system, method, plan.locate, check, plan.validity, at.events);
+  Pace pace(plan, at.time);
   const auto accept = [&](const JumpReport& report) {
+    before = &y;
     copied.resize(y.size());
     if (copies) copy_in_ranges(system.threads(), y.data(), y.size(), copied.data());
     if (!after_step(at.time, y, report)) end.ending = Ending::stopped;
+    if (plan.validity && !plan.validity->failure().empty()) {
+      end.ending = Ending::invalid;
+      end.reason = plan.validity->failure() + driven_by(system, at.time, y, -1, method.info().name);
+    }
+    pace.check(at.time);
   };
   bool end_in_sight = false;
   try {
     JumpReport report;
     if (!at.begun) {
       report = jump(system, method, plan.start, y);
+      if (plan.validity) plan.validity->see({plan.start, 0, y, y}, report);
       at.begun = true;
       accept(report);
     }

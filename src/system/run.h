@@ -6,15 +6,17 @@
 
 #include "methods/method.h"
 #include "system/events.h"
-#include "system/system.h"
+#include "system/validity.h"
 
 namespace furrow {
 
-enum class Ending { finished, stopped, diverged };
+enum class Ending { finished, stopped, diverged, invalid };
+
+std::string to_string(Ending ending);  // "finished", "interrupted", "diverged", "invalid"
 
 struct RunEnd {
   Ending ending = Ending::finished;
-  std::string reason;  // of a divergence: what, where, and what to do
+  std::string reason;  // of a divergence or invalidity: what, where, and what to do
   double time = 0;     // s, of the last good state
   long steps = 0;
   long events = 0;             // located and stepped on
@@ -42,13 +44,16 @@ struct RunPlan {
   // Called before the first step that has the run's end in sight. From there a longer run would go other ways: on a
   // fixed step's grid, past a controlled method's last stop.
   std::function<void(const State& y)> before_end{};
+  Validity* validity = nullptr;  // watches each accepted state, and may end the run
 };
 
 // Called with the start and after each accepted step; false stops the run, a Divergence thrown ends it as such.
 using AfterStep = std::function<bool(double t, const State& y, const JumpReport& jump)>;
 
 // y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more
-// than its own size in one step, or the method gave up. Throws std::invalid_argument if the method cannot carry it.
+// than its own size in one step, a plate stepped over a body, or the method gave up or would take more than 1e9 steps
+// to the end. It ended as invalid if the watch says so; y is then the state in which it was seen. Throws
+// std::invalid_argument if the method cannot carry it.
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step);
 
 }  // namespace furrow

@@ -145,6 +145,53 @@ StiffPart stiffest_bond(const System& system, double t, const State& y, int body
   return best;
 }
 
+namespace {
+
+struct Striker {
+  double radius, mass;
+  int material;
+};
+
+// Of those of one material the one that goes least deep: d^(5/2) goes with m / sqrt(R).
+void keep_lightest(std::vector<Striker>& kept, const Striker& one) {
+  const auto depth = [](const Striker& s) { return s.mass / std::sqrt(s.radius); };
+  for (Striker& other : kept) {
+    if (other.material != one.material) continue;
+    if (depth(one) < depth(other)) other = one;
+    return;
+  }
+  kept.push_back(one);
+}
+
+}  // namespace
+
+Oscillator stiffest_impact(const Parts& parts, double speed) {
+  std::vector<Striker> discs, nodes;
+  for (int i = 0; i < parts.disc.count(); ++i)
+    keep_lightest(discs, {parts.disc.radius[i], parts.disc.mass[i], parts.disc.material[i]});
+  for (int n = 0; n < parts.node.count(); ++n)
+    keep_lightest(nodes, {parts.node.contact_radius[n], parts.node.mass[n], parts.node.material[n]});
+  Oscillator stiffest{0, 0};
+  const auto meet = [&](int a, int b, double radius, double mass) {
+    const ContactLaw& law = parts.law[parts.law_of(a, b)];
+    const double overlap = impact_overlap(law, radius, mass, speed);
+    const Oscillator o{std::sqrt(15.0 / 8.0) * speed / overlap, law.viscosity / 2};
+    if (std::isfinite(o.omega) && fastest_rate(o) > fastest_rate(stiffest)) stiffest = o;
+  };
+  const auto meet_flat = [&](const Striker& s) {
+    for (const WallPart& w : parts.wall) meet(s.material, w.material, s.radius, s.mass);
+    for (const PlatePart& p : parts.plate) meet(s.material, p.material, s.radius, s.mass);
+  };
+  for (const Striker& a : discs) {
+    for (const Striker& b : discs)
+      meet(a.material, b.material, a.radius * b.radius / (a.radius + b.radius), a.mass * b.mass / (a.mass + b.mass));
+    for (const Striker& n : nodes) meet(a.material, n.material, a.radius, a.mass * n.mass / (a.mass + n.mass));
+    meet_flat(a);
+  }
+  for (const Striker& n : nodes) meet_flat(n);
+  return stiffest;
+}
+
 std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,
                                        double step) {
   const StiffPart part = stiffest_part(system, t, y);

@@ -26,6 +26,11 @@ StiffPart stiffest_part(const System& system, double t, const State& y);
 // parts: where a run that has blown up most likely began. `contacts` and `spins` are not set.
 StiffPart stiffest_bond(const System& system, double t, const State& y, int body);
 
+// The stiffest contact that two parts of the scene make when they meet at this speed (m/s), elastic and head-on: the
+// lightest disc of each material with each other, with walls, plates and nodes; nodes with plates and walls.
+// omega = sqrt(15/8) v / d at the greatest overlap d; the damping ratio is the same at any overlap.
+Oscillator stiffest_impact(const Parts& parts, double speed);
+
 // What a user should know before he trusts a run with this method and step, one text each; empty if there is nothing.
 std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,
                                        double step);

@@ -69,6 +69,7 @@ System::System(const Scene& scene)
   if (disc.count() > NeighbourSearch::discs_a_chunk) threads_ = scene.search.threads;
   chunk_powers_.resize(static_cast<std::size_t>(chunks));
   chunk_returned_.resize(static_cast<std::size_t>(chunks));
+  chunk_seen_.resize(static_cast<std::size_t>(chunks));
   disc_block_.resize(static_cast<std::size_t>(threads_));
   flat_block_.touching.fill(1);  // the others are left out of it
   wall_block_.kind = disc_wall;

@@ -20,6 +20,7 @@
 #include "system/kernel.h"
 #include "system/parts.h"
 #include "system/search.h"
+#include "system/survey.h"
 
 namespace furrow {
 
@@ -53,6 +54,7 @@ struct JumpReport {
   std::vector<Tear> torn;
   bool springs_changed = false;
   Growth grown;            // of the state, for contacts that found no room in it
+  const Survey* survey = nullptr;  // of the state that was left, if it was asked for
   State* rates = nullptr;  // at the state that was left, if they are known: the system's own room, to be swapped out
   bool flow_jumped() const { return !torn.empty(); }
 };
@@ -83,6 +85,11 @@ class System : public OdeSystem {
   // While a scene is prepared its plates stand still and its links do not tear.
   void prepare(bool preparing) { preparing_ = preparing; }
 
+  // From now on each jump surveys its contacts. Without friction it has to evaluate them for that, at the state where
+  // most methods begin their next step and do so anyway.
+  void watch(bool watched) { watched_ = watched; }
+  Survey& survey() { return survey_; }
+
   const Parts& parts() const { return parts_; }
   const NeighbourSearch& search() const { return search_; }
   bool torn(int link) const { return torn_[link] != 0; }
@@ -97,6 +104,9 @@ class System : public OdeSystem {
   int vx_of(int body) const { return 2 * bodies_ + body; }
   int vy_of(int body) const { return 3 * bodies_ + body; }
   int spin_of(int disc) const { return 4 * bodies_ + disc; }
+  // rad/s. Where no contact has friction nothing turns a disc: it keeps the spin that the scene gave it, outside the
+  // state.
+  double spin(const State& y, int disc) const { return friction_ ? y[spin_of(disc)] : disc_start_[disc].spin; }
   int first_spring() const { return springs_; }
   int spring_count() const { return spring_count_; }
   int ledger_of(Ledger entry) const { return ledger_ + entry; }
@@ -181,6 +191,11 @@ class System : public OdeSystem {
   void grow_slots(int wanting);
   void return_springs(double t, State& y, JumpReport& report);
   double lattice_contact_energy(double t, const State& y) const;
+  void begin_survey();
+  void survey_block(const TouchBlock& block, int chunk);
+  void survey_few(const TouchBlock& block);
+  bool near_border(const TouchBlock& block, int k) const;
+  void finish_survey();
   void tear_links(double t, State& y, JumpReport& report);
 
   Parts parts_;
@@ -200,6 +215,9 @@ class System : public OdeSystem {
   Slots slots_;
   State rates_;                         // room for those that a jump leaves
   std::vector<double> chunk_returned_;  // J, freed by a jump, chunk by chunk
+  bool watched_ = false;
+  Survey survey_;
+  std::vector<ContactExtremes> chunk_seen_;
 
   // Caches: they hold nothing that a result depends on.
   mutable NeighbourSearch search_;

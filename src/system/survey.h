@@ -1,0 +1,49 @@
+// What a jump sees of the contacts of the state that it leaves: all that a watch over every step needs of them, in the
+// pass over the contacts that the jump makes anyway.
+#pragma once
+
+#include <vector>
+
+#include "system/touches.h"
+
+namespace furrow {
+
+struct ContactId {
+  ContactKind kind = disc_disc;
+  int a = -1, b = -1;  // disc or node; disc, wall, plate or lattice; -1: none
+};
+
+// Of the contacts of one chunk, or of all.
+struct ContactExtremes {
+  double contacts = 0;   // how many touch
+  double overlap = 0;    // -, greatest, of the smaller radius; of a node of its contact radius
+  double impact = 0;     // -, greatest energy of a contact, of what would carry the one through the other
+  int behind_walls = 0;  // discs whose centres are behind a wall
+  ContactId deepest{};   // only if deeper than Survey::known_overlap
+  ContactId hardest{};   // of `impact`
+  void join(const ContactExtremes& other);
+};
+
+struct Survey {
+  // Set by whoever watches: below these nothing need be looked at one by one.
+  double known_overlap = 0;  // -
+  double fast = infinity;    // m/s, an approach
+  double reach = 0;          // m, from a centre to a border of a lattice
+
+  ContactExtremes seen{};
+  struct Near {
+    ContactId contact;
+    int segment;  // of the border, for a lattice
+  };
+  std::vector<Near> near{};                    // centres inside a plate, or closer to a border than `reach`
+  std::vector<double> plate_fx{}, plate_fy{};  // N, on each plate
+};
+
+// J: what carries disc or node `a` through `b`, or infinity: the work of the elastic force up to where the centres of
+// two discs pass, or a centre the middle of a plate or the border of a lattice. No one passes through a wall.
+double passing_work(const Parts& parts, const ContactId& contact, const ContactLaw& law, double reduced_radius);
+
+// m/s: no contact of these parts whose two approach more slowly has the energy to pass.
+double least_passing_speed(const Parts& parts);
+
+}  // namespace furrow
