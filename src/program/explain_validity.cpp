@@ -5,6 +5,7 @@
 
 #include "program/explain_line.h"
 #include "scene/wording.h"
+#include "system/observe.h"
 #include "system/stiffness.h"
 
 namespace furrow {

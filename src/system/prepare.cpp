@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "scene/packing.h"
+#include "scene/wording.h"
 #include "system/observe.h"
 #include "system/run.h"
 
@@ -48,7 +49,8 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   if (interrupted) throw Interrupted("interrupted while settling");
   std::ostringstream text;
   if (end.ending == Ending::diverged || end.ending == Ending::invalid) {
-    text << "while settling, at t = " << end.time << " s: " << end.reason;
+    text << "while settling, " << (end.ending == Ending::diverged ? "at t = " + shortest(end.time) + " s: " : "")
+         << end.reason;
     throw Divergence(text.str());
   }
   if (end.ending == Ending::finished) {
