@@ -1,0 +1,98 @@
+// The steps behind a located touch, one by one: t = t_touch + T s^q with s uniform.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenes.h"
+
+namespace furrow {
+namespace {
+
+using namespace test;
+
+// Another method, whose steps are written down.
+class WritesDown final : public Method {
+ public:
+  explicit WritesDown(const std::string& name) : Method(make_method(name)->info()), inner_(make_method(name)) {}
+  double step(const OdeSystem& system, double t, State& y, double h) override {
+    const double taken = inner_->step(system, t, y, h);
+    steps.push_back({t, h, y[1]});
+    return taken;
+  }
+  void restart() override { inner_->restart(); }
+
+  struct Step {
+    double t, h, height;  // s, s, m: of the disc's centre afterwards
+  };
+  std::vector<Step> steps;
+
+ private:
+  std::unique_ptr<Method> inner_;
+};
+
+constexpr double radius = 0.1, speed = 1.3;  // m, m/s
+
+std::vector<WritesDown::Step> steps_of_a_fall(double damping, double step) {
+  Scene scene = empty_scene();
+  scene.contact.damping_factor = damping;
+  scene.disc = {disc({0, radius + speed * 2.5 * step}, radius, {0, -speed})};  // it touches in the third step
+  scene.wall = {wall({0, 0}, {0, 1})};
+  System system(scene);
+  State y = system.initial_state();
+  WritesDown method("rk4");
+  run(system, method, y, {.start = 0, .end = 12 * step, .step = step, .locate = Locate::all},
+      [](double, const State&, const JumpReport&) { return true; });
+  return method.steps;
+}
+
+// T is a quarter of (m^2/(E*^2 R v))^(1/5) / max(1, beta)^(4/5), down to a power of two.
+double scale(double beta) {
+  const double mass = 1000 * 3.14159265358979323846 * radius * radius, modulus = 1e6 / 1.875;
+  const double time =
+      std::pow(mass * mass / (modulus * modulus * radius * speed), 0.2) / std::pow(std::fmax(1, beta), 0.8);
+  return 0.25 *
+         std::exp2(std::floor(std::log2(time * std::exp2(0.2))));  // of x = f 2^e with f in [1/2, 1): e/5 rounded down
+}
+
+void expect_graded(double damping, double step) {
+  const std::vector<WritesDown::Step> steps = steps_of_a_fall(damping, step);
+  // The step that ends least far behind the touch.
+  std::size_t touch = 0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (steps[k].height < radius && (touch == 0 || steps[k].t + steps[k].h < steps[touch].t + steps[touch].h))
+      touch = k;
+  }
+  const double start = steps[touch].t + steps[touch].h;
+  EXPECT_NEAR(start, 2.5 * step, 1e-6 * step);
+  const double q = damping > 0 ? 4 : 2, big = scale(damping);
+  double t = start;
+  int graded = 0;
+  for (std::size_t k = touch + 1; k < steps.size(); ++k) {
+    EXPECT_NEAR(steps[k].t, t, 1e-12);
+    const double end = (std::floor(t / step + 1e-6) + 1) * step;
+    const double s = std::pow((t - start) / big, 1 / q) + step / (q * big);
+    const double length = std::fmax(big * std::pow(s, q) - (t - start), 4e-15 * (t + step));
+    if (length >= step) break;
+    const double want = end - t < 1.5 * length ? end - t : length;
+    EXPECT_NEAR(steps[k].h, want, 1e-6 * want) << k;
+    t += steps[k].h;
+    ++graded;
+  }
+  EXPECT_GT(graded, damping > 0 ? 10 : 6);
+}
+
+TEST(GradedSteps, BehindAnElasticTouchGoWithTheSquare) { expect_graded(0, 2e-3); }
+
+TEST(GradedSteps, BehindADampedTouchGoWithTheFourthPower) {
+  expect_graded(0.2, 2e-3);
+  expect_graded(7, 2e-4);  // beyond 1 the damping shortens the scale
+}
+
+TEST(GradedSteps, EndWhereTheyAreAsLongAsTheUsualOnes) {
+  const std::vector<WritesDown::Step> steps = steps_of_a_fall(0, 2e-3);
+  EXPECT_NEAR(steps.back().h, 2e-3, 1e-12);
+  for (const WritesDown::Step& one : steps) EXPECT_LE(one.h, 2e-3 * (1 + 1e-9));
+}
+
+}  // namespace
+}  // namespace furrow
