@@ -212,10 +212,10 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       end_in_sight = next == plan.end || end_in_sight;
       report = {};
       const double h = fixed && next != plan.end ? plan.step : next - at.time;
+      before = copies ? &copied : &y;
       if (plan.locate != Locate::none) {
         at.time = stepper.step(at.time, y, next, h, report);
       } else {
-        before = copies ? &copied : &y;
         const double taken = method.step(system, at.time, y, h);
         if (!copies) before = method.start();
         const double reached = taken == h ? next : at.time + taken;

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "csv.h"
+#include "output/build_info.h"
+#include "output/machine.h"
 #include "output/run_files.h"
 #include "scene/read.h"
 #include "written_scene.h"
@@ -258,6 +260,11 @@ TEST_F(WrittenFrames, RunJsonSaysWhatWasRunAndHowItEnded) {
   EXPECT_EQ(json["method"], "pece");
   EXPECT_EQ(json["step"], 1e-4);
   EXPECT_EQ(json["end"], 0.02);
+  EXPECT_EQ(json["commit"], build_info().commit);
+  EXPECT_EQ(json["compiler"], build_info().compiler);
+  EXPECT_EQ(json["flags"], build_info().flags);
+  EXPECT_EQ(json["build_type"], build_info().build_type);
+  EXPECT_EQ(json["machine"], processor_name());
   EXPECT_EQ(json["seed"], nlohmann::json::array());
   EXPECT_EQ(json["discs"], 3);
   EXPECT_EQ(json["nodes"], 6);
