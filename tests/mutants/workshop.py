@@ -224,8 +224,11 @@ class Workshop:
             red = self.notice(name, command)
             if red:
                 return {"verdict": "noticed", "by": name, "test": red}
-        files = self.written() if self.files else {}
-        return {"verdict": "survived", "files": sorted(k for k in files.keys() | self.files.keys() if files.get(k) != self.files.get(k))[:6]}
+        if not self.files:
+            return {"verdict": "survived", "files": None}  # not compared: the program was not built
+        files = self.written()
+        changed = [name for name in sorted(files.keys() | self.files.keys()) if files.get(name) != self.files.get(name)]
+        return {"verdict": "survived", "files": changed[:6]}
 
     def notice(self, name, command):
         """The test that fails, twice: what fails once may be the machine's fault."""

@@ -209,6 +209,27 @@ TEST(StepAdvice, ATornLinkDrivesNothing) {
       "the structural link from node (row 0, column 1) of lattice strand to node (row 0, column 2) of lattice strand");
 }
 
+// Stiffer than what is left, but torn; stiffer still, but between two fixed nodes.
+TEST(StiffestBond, PassesOverWhatIsTornAndWhatCannotMove) {
+  Scene scene = empty_scene();
+  for (const auto& [name, kind] :
+       {std::pair{"torn", link_kind(1e4, 0, 10)}, {"held", link_kind(1e6, 0)}, {"left", link_kind(100, 0)}}) {
+    Lattice l = lattice({0, 5.0 * static_cast<double>(scene.lattice.size())}, 1, 2, 1);
+    l.name = name;
+    l.fixed_columns = l.name == "held" ? std::vector<int>{0, 1} : std::vector<int>{0};
+    l.structural = kind;
+    if (l.name == "torn") l.node = {node_setting(0, 1, {0.2, 0})};
+    scene.lattice.push_back(l);
+  }
+  const Standing s(scene);
+  ASSERT_TRUE(s.system.torn(0));
+  for (const int body : {-1, 0}) {
+    const StiffPart bond = stiffest_bond(s.system, 0, s.y, body);
+    EXPECT_NE(bond.name.find("lattice left"), std::string::npos) << bond.name;
+    EXPECT_NEAR(bond.oscillator.omega, std::sqrt(100.0 / 2), 1e-9);
+  }
+}
+
 // A part is judged by |lambda|: omega (zeta + sqrt(zeta^2 - 1)) when it creeps, omega when it swings.
 TEST(StepAdvice, TheFastestMotionMayBeTheMostDamped) {
   const auto two = [](double damping) {
