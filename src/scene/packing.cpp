@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "scene/interrupt.h"
 #include "system/search.h"
 
 namespace furrow {
@@ -75,6 +76,7 @@ void place(Scene& scene, const Packing& p, std::size_t index) {
     const double height = p.upper_right.y - p.lower_left.y - 2 * radius;
     double x = 0, y = 0;
     bool found = false;
+    throw_if_interrupted();
     for (int attempt = 0; attempt < most_attempts && !found; ++attempt) {
       x = p.lower_left.x + radius + width * uniform(random);
       y = p.lower_left.y + radius + height * uniform(random);

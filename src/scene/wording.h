@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +17,12 @@ inline std::string shortest(double number) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
+
+// A sentence with numbers in it: the caller's global locale has no say in how they look.
+class Sentence : public std::ostringstream {
+ public:
+  Sentence() { imbue(std::locale::classic()); }
+};
 
 inline std::string in_quotes(std::string_view word) { return '"' + std::string(word) + '"'; }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "methods/floating_point.h"
 #include "physics/disc.h"
 
 namespace furrow {
@@ -202,6 +203,7 @@ std::string Parts::link_name(int i) const {
 }
 
 Parts make_parts(const Scene& scene) {
+  const DefaultFloatingPoint environment;
   Parts parts;
   add_laws(scene, parts);
   add_discs(scene, parts);

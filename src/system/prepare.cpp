@@ -1,8 +1,8 @@
 #include "system/prepare.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "methods/floating_point.h"
 #include "scene/packing.h"
 #include "scene/wording.h"
 #include "system/observe.h"
@@ -47,7 +47,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     return !interrupted && t - slow_since < std::max(placed.settle->hold, first_look);
   });
   if (interrupted) throw Interrupted("interrupted while settling");
-  std::ostringstream text;
+  Sentence text;
   if (end.ending == Ending::diverged || end.ending == Ending::invalid) {
     text << "while settling, " << (end.ending == Ending::diverged ? "at t = " + shortest(end.time) + " s: " : "")
          << end.reason;
@@ -74,6 +74,7 @@ System unsettled(Scene scene) {
 }
 
 Prepared prepare(const Scene& scene, const SettleProgress& progress) {
+  const DefaultFloatingPoint environment;
   Scene ready = scene;
   if (!scene.settle) {
     ready = place_packings(ready);

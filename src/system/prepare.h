@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "scene/interrupt.h"
 #include "system/system.h"
 
 namespace furrow {
@@ -28,10 +29,5 @@ Prepared prepare(const Scene& scene, const SettleProgress& progress = {});
 
 // The parts alone, to count and examine them: nothing has settled, plates at a working depth stand anywhere.
 System unsettled(Scene scene);
-
-class Interrupted : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 }  // namespace furrow

@@ -2,11 +2,13 @@
 #include <algorithm>
 
 #include "physics/link.h"
+#include "scene/interrupt.h"
 #include "system/system.h"
 
 namespace furrow {
 
 void System::rhs(double t, const State& y, State& dydt) const {
+  throw_if_interrupt_is_urgent();
   add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
 }
 

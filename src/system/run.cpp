@@ -6,10 +6,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <locale>
-#include <sstream>
 
+#include "methods/floating_point.h"
 #include "methods/wide.h"
+#include "scene/interrupt.h"
+#include "scene/wording.h"
 #include "system/events.h"
 #include "system/stiffness.h"
 
@@ -61,8 +62,7 @@ class Watch {
       if (!all_finite(after.data() + first, last - first)) finite = false;
     });
     if (finite && all_moved_less(step, size_)) return stepped_over(step, body);
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
+    Sentence text;
     for (std::size_t i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
       if (moved <= size_[i]) continue;
@@ -141,7 +141,7 @@ class Pace {
 std::string driven_by(const System& system, double t, const State& y, int body, const std::string& method) {
   const StiffPart bond = stiffest_bond(system, t, y, body);
   if (bond.name.empty()) return {};
-  std::ostringstream text;
+  Sentence text;
   text.precision(3);
   text << "; the stiffest that acts there is " << bond.name << ", omega " << bond.oscillator.omega
        << " rad/s, damping ratio " << bond.oscillator.zeta;
@@ -165,6 +165,7 @@ std::string to_string(Ending ending) {
 }
 
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
+  const DefaultFloatingPoint environment;
   if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
   const Watch watch(system);
   RunPoint own;
@@ -193,6 +194,9 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       end.reason = plan.validity->failure() + driven_by(system, at.time, y, -1, method.info().name);
     }
     pace.check(at.time);
+    if (plan.stops_when_interrupted && interrupt_requested() && end.ending == Ending::finished)
+      end.ending = Ending::stopped;
+    if (!plan.stops_when_interrupted) throw_if_interrupted();
   };
   bool end_in_sight = false;
   try {
@@ -230,6 +234,12 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     system.fit(y);
     end.ending = Ending::diverged;
     end.reason = failure.what() + driven_by(system, at.time, y, body, method.info().name);
+  } catch (const Interrupted&) {
+    if (!plan.stops_when_interrupted) throw;
+    if (before != &y) y = *before;
+    system.fit(y);
+    end.ending = Ending::stopped;
+    end.cut = true;
   }
   end.time = at.time;
   end.steps = at.steps;

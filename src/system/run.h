@@ -21,6 +21,7 @@ struct RunEnd {
   long steps = 0;
   long events = 0;             // located and stepped on
   long event_evaluations = 0;  // of the right-hand side, for that, beside the method's
+  bool cut = false;            // stopped inside of a step: y is where it began, the method's history is of no use
 };
 
 // Where a run stands between two steps, beside the state, the discrete state and the method's history: with these three
@@ -45,15 +46,18 @@ struct RunPlan {
   // fixed step's grid, past a controlled method's last stop.
   std::function<void(const State& y)> before_end{};
   Validity* validity = nullptr;  // watches each accepted state, and may end the run
+
+  bool stops_when_interrupted = false;  // else an interrupt is thrown, see interrupt.h
 };
 
 // Called with the start and after each accepted step; false stops the run, a Divergence thrown ends it as such.
 using AfterStep = std::function<bool(double t, const State& y, const JumpReport& jump)>;
 
+// Runs in the default floating-point environment, whatever the caller's is, and leaves the caller's as it was.
 // y is the last good state afterwards, also if the run diverged: if a number was no longer finite, a body moved by more
 // than its own size in one step, a plate stepped over a body, or the method gave up or would take more than 1e9 steps
 // to the end. It ended as invalid if the watch says so; y is then the state in which it was seen. Throws
-// std::invalid_argument if the method cannot carry it.
+// std::invalid_argument if the method cannot carry it, Interrupted.
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step);
 
 }  // namespace furrow

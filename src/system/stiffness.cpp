@@ -2,8 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <sstream>
 
+#include "scene/wording.h"
 #include "system/observe.h"
 
 namespace furrow {
@@ -197,7 +197,7 @@ std::vector<std::string> step_warnings(const System& system, double t, const Sta
   const StiffPart part = stiffest_part(system, t, y);
   const double limit = largest_stable_step(method, part.oscillator);
   if (part.name.empty() || step <= 0.5 * limit) return {};
-  std::ostringstream text;
+  Sentence text;
   text.precision(3);
   text << "the step of " << step << " s is " << (step > limit ? "beyond" : "near") << " the stability limit of "
        << method << ": " << part.name << " (" << part.contacts << " contacts, damping ratio " << part.oscillator.zeta

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "methods/floating_point.h"
+
 namespace furrow {
 namespace {
 
@@ -28,6 +30,7 @@ System::System(const Scene& scene)
       keeps_ledger_(scene.output.energy),
       bodies_(parts_.bodies()),
       search_(parts_, scene.search) {
+  const DefaultFloatingPoint environment;
   // A spin matters only where a disc can be turned.
   for (const ContactLaw& law : parts_.law) {
     rolling_ = rolling_ || (law.rolling > 0 && parts_.disc.count() > 0);

@@ -59,6 +59,9 @@ struct JumpReport {
   bool flow_jumped() const { return !torn.empty(); }
 };
 
+// A system is for one thread at a time, its const functions too: rhs and for_each_touch work in rooms of the system. As
+// many systems as one likes may be used at once. rhs and jump are for the default floating-point environment: rounding
+// to nearest, no traps (see floating_point.h); run() and prepare() see to it themselves.
 class System : public OdeSystem {
  public:
   explicit System(const Scene& scene);
