@@ -276,7 +276,7 @@ int compare(const fs::path& decks, const fs::path& work, const fs::path& program
   }
   std::printf("To agree: height %.4f +- %.4f m, push %.1f +- %.1f N\n", band.height, band.height_tolerance, band.push,
               band.push_tolerance);
-  furrow::OutputFile file(result);
+  furrow::OutputFile file = furrow::OutputFile::replacing(result);
   file << json.dump(1) << "\n";
   file.finish();
   return entries[0].failed || entries[1].failed ? 1 : 0;

@@ -102,7 +102,7 @@ Command furrow_with(const Bed& bed, const Task& task, const std::string& method)
   scene.time.method = method;
   scene.time.end = static_cast<double>(task.steps) * scene.time.step;
   if (!task.look) scene.output.interval = scene.time.end;
-  OutputFile file(task.directory / "scene.toml");
+  OutputFile file = OutputFile::replacing(task.directory / "scene.toml");
   file << canonical_text(scene);
   file.finish();
   return {{bed.furrow, "run", task.directory / "scene.toml", "--out", task.directory / "run"},
@@ -120,7 +120,7 @@ void write_plate(const fs::path& file, const Plate& plate) {
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
   constexpr std::array<std::array<int, 3>, 6> normals{
       {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
-  OutputFile out(file);
+  OutputFile out = OutputFile::replacing(file);
   out << "solid tool\n";
   for (std::size_t f = 0; f < faces.size(); ++f) {
     for (const int third : {2, 3}) {
@@ -136,7 +136,7 @@ void write_plate(const fs::path& file, const Plate& plate) {
 
 // For LAMMPS and LIGGGHTS: id, type, diameter, density, x, y, z. The density gives the sphere the mass of the disc.
 void write_bed(const fs::path& file, const Scene& scene, const DiscArrays& disc) {
-  OutputFile out(file);
+  OutputFile out = OutputFile::replacing(file);
   out << "settled bed\n\n" << disc.count() << " atoms\n1 atom types\n";
   out << "-0.1 " << scene.wall.back().point.x + 0.1 << " xlo xhi\n-0.1 1.5 ylo yhi\n-0.05 0.05 zlo zhi\n\nAtoms\n\n";
   for (int i = 0; i < disc.count(); ++i) {
@@ -150,7 +150,7 @@ void write_bed(const fs::path& file, const Scene& scene, const DiscArrays& disc)
 }  // namespace
 
 void write_scene(const Bed& bed, const Scene& scene) {
-  OutputFile file(bed.directory / "scene.toml");
+  OutputFile file = OutputFile::replacing(bed.directory / "scene.toml");
   file << canonical_text(scene);
   file.finish();
 }

@@ -20,7 +20,7 @@ constexpr Settle nearly{.speed = 0.05, .hold = 0.1, .step = {}, .limit = 20};
 // The lower edge of the plate, then a line a disc. Not a scene file: in the paper's soft soil the weight of the bed
 // pushes some centres through the floor, where a scene may not start.
 void write(const fs::path& file, const Scene& scene, const System& system, const State& y) {
-  OutputFile out(file);
+  OutputFile out = OutputFile::replacing(file);
   out << (scene.plate.empty() ? 0.0 : *scene.plate[0].lower_edge) << "\n";
   for (int i = 0; i < system.parts().disc.count(); ++i) {
     for (const int at : {system.x_of(i), system.y_of(i), system.vx_of(i), system.vy_of(i), system.spin_of(i)})

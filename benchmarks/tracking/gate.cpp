@@ -117,7 +117,7 @@ int accept(const fs::path& file, const Build& build, const std::string& reason) 
   for (const auto& [name, result] : results.items())
     accepted["kernels"][name] = {{"instructions", result["instructions"]}, {"answer", result["answer"]}};
   accepted["reasons"].push_back({{"date", today()}, {"after", build_info().commit}, {"reason", reason}});
-  OutputFile out(file);
+  OutputFile out = OutputFile::replacing(file);
   out << accepted.dump(1) << "\n";
   out.finish();
   return good;

@@ -173,7 +173,7 @@ int profile(const Build& build, const fs::path& result) {
     json["scenes"].push_back(scene_profile(build, name, said.at(name)));
     show(json["scenes"].back());
   }
-  OutputFile file(result);
+  OutputFile file = OutputFile::replacing(result);
   file << json.dump(1) << "\n";
   file.finish();
   return 0;

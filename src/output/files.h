@@ -1,10 +1,8 @@
 // Files that are never half-written: they carry the ending .partial until they are complete.
 #pragma once
 
-#include <cerrno>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -20,45 +18,68 @@ class FileError : public std::runtime_error {
 
 inline std::string number(double value) { return shortest(value); }
 
+// A cell of comma separated values: in quotes where it must be (RFC 4180).
+std::string csv_cell(std::string_view text);
+
+// Every member that writes throws FileError at the write that fails, for example on a full disk.
 class OutputFile {
  public:
-  // Opens `file`.partial, to begin with a line of headings if there are any. This, close and finish throw FileError,
-  // for example on a full disk.
-  explicit OutputFile(std::filesystem::path file, std::string_view headings = {})
-      : file_(std::move(file)), partial_(file_.string() + ".partial"), stream_(partial_) {
-    if (!stream_) throw FileError("cannot write " + partial_.string() + ": " + std::strerror(errno));
-    if (!headings.empty()) stream_ << headings << '\n';
-  }
+  // Makes `file`.partial, to begin with a line of headings if there are any. Nothing may stand there, and nothing may
+  // stand where finish() puts the file.
+  explicit OutputFile(std::filesystem::path file, std::string_view headings = {});
 
-  OutputFile& operator<<(std::string_view text) { return stream_ << text, *this; }
+  // Takes the place of a regular file when it is finished; until then it has a name of its own.
+  static OutputFile replacing(const std::filesystem::path& file);
+
+  // Goes on with `file`.partial, or with the finished file, as it was when it had so many bytes.
+  static OutputFile reopened(const std::filesystem::path& file, std::uint64_t bytes);
+
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();  // of a file that was not closed: what is still in memory is lost
+
+  OutputFile& operator<<(std::string_view text);
   OutputFile& operator<<(double value) { return *this << std::string_view(number(value)); }
   OutputFile& operator<<(int value) { return *this << std::string_view(std::to_string(value)); }
 
   // One line of comma separated values.
   template <class First, class... Rest>
   void row(const First& first, const Rest&... rest) {
-    *this << first;
-    ((*this << "," << rest), ...);
+    cell(first);
+    ((*this << ",", cell(rest)), ...);
     *this << "\n";
   }
 
+  // Hands to the operating system what is still in memory.
+  void flush();
+
+  // Of the file so far.
+  std::uint64_t bytes() const { return written_ + buffer_.size(); }
+
   // Closes the file as it is and keeps the ending .partial.
-  void close() {
-    stream_.close();
-    if (!stream_) throw FileError("could not write all of " + partial_.string() + ": " + std::strerror(errno));
-  }
+  void close();
 
   // Closes the file and takes the ending away.
-  void finish() {
-    close();
-    std::error_code failed;
-    std::filesystem::rename(partial_, file_, failed);
-    if (failed) throw FileError("cannot rename " + partial_.string() + ": " + failed.message());
-  }
+  void finish();
 
  private:
+  OutputFile(std::filesystem::path file, std::filesystem::path partial, int descriptor, bool replaces);
+  void cell(std::string_view text) { *this << csv_cell(text); }
+  void cell(double value) { *this << value; }
+  void cell(int value) { *this << value; }
+
   std::filesystem::path file_, partial_;
-  std::ofstream stream_;
+  std::string buffer_;
+  std::uint64_t written_ = 0;
+  int descriptor_;
+  bool replaces_;
 };
+
+// The whole text at once, in place of what stood there.
+void replace_file(const std::filesystem::path& file, std::string_view text);
+
+// Number of files being written now, in all threads; may be asked in a signal handler.
+int files_being_written();
 
 }  // namespace furrow

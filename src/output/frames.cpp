@@ -1,8 +1,6 @@
 #include "output/frames.h"
 
-#include <iomanip>
 #include <iterator>
-#include <sstream>
 
 #include "scene/wording.h"
 #include "system/observe.h"
@@ -68,6 +66,12 @@ struct Table {
   }
 };
 
+// "discs_007"
+std::string name_of(const std::string& kind, std::size_t frame) {
+  const std::string digits = std::to_string(frame);
+  return kind + '_' + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
 Table discs_of(const System& system, double t, const State& y) {
   Table table{{"x [m]", "y [m]", "radius [m]", "vx [m/s]", "vy [m/s]", "spin [rad/s]", "von Mises [Pa]"},
               "Verts",
@@ -121,22 +125,32 @@ Frames::Frames(const std::filesystem::path& directory)
 void Frames::add(const System& system, double t, double displacement, const State& y) {
   int part = 0;
   const auto write = [&](const std::string& kind, const Table& table) {
-    std::ostringstream name;
-    name << kind << '_' << std::setw(3) << std::setfill('0') << count_;
-    table.write((directory_ / name.str()).string());
-    pvd_ << "<DataSet timestep=\"" << t << "\" part=\"" << part++ << "\" name=\"" << kind << "\" file=\"frames/"
-         << name.str() << ".vtp\"/>\n";
+    const std::string name = name_of(kind, static_cast<std::size_t>(count_));
+    table.write((directory_ / name).string());
+    pvd_ << "<DataSet timestep=\"" << t << "\" part=\"" << part++ << "\" name=\"" << kind << "\" file=\"frames/" << name
+         << ".vtp\"/>\n";
   };
   write("discs", discs_of(system, t, y));
   write("links", links_of(system, y));
   write("plates", plates_of(system, t));
   list_.row(count_++, t, displacement);
+  list_.flush();
+  pvd_.flush();
 }
 
-void Frames::finish() {
+void Frames::close(bool complete) {
   pvd_ << "</Collection>\n</VTKFile>\n";
-  list_.finish();
-  pvd_.finish();
+  for (OutputFile* file : {&list_, &pvd_}) complete ? file->finish() : file->close();
+}
+
+std::vector<std::string> Frames::files(std::size_t frames) {
+  std::vector<std::string> all{"run.pvd", "frames/frames.csv"};
+  for (std::size_t k = 0; k < frames; ++k) {
+    for (const char* kind : {"discs", "links", "plates"}) {
+      for (const char* ending : {".csv", ".vtp"}) all.push_back("frames/" + name_of(kind, k) + ending);
+    }
+  }
+  return all;
 }
 
 }  // namespace furrow

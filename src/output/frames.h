@@ -8,14 +8,18 @@ namespace furrow {
 
 class Frames {
  public:
-  // Writes into `directory` / frames, which must exist.
+  // Writes run.pvd into `directory`, all else into `directory` / frames, which must exist.
   explicit Frames(const std::filesystem::path& directory);
 
-  // displacement: of the first plate, m.
+  // displacement: of the first plate, m; 0 without a plate.
   void add(const System& system, double t, double displacement, const State& y);
 
-  // Completes the lists of frames, frames/frames.csv and run.pvd.
-  void finish();
+  // Ends the lists of frames, frames/frames.csv and run.pvd. Of a run that is not complete they keep the ending
+  // .partial.
+  void close(bool complete);
+
+  // All that so many frames write, relative to the directory.
+  static std::vector<std::string> files(std::size_t frames);
 
  private:
   std::filesystem::path directory_;

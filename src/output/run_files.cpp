@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "methods/floating_point.h"
 #include "output/build_info.h"
 #include "output/first_touch.h"
 #include "output/machine.h"
+#include "output/owned_directory.h"
 #include "output/series.h"
 #include "output/validity_json.h"
 #include "scene/read.h"
@@ -27,34 +29,12 @@ std::string hexadecimal(std::uint64_t value) {
   return text;
 }
 
-// An empty or new directory, or one with an earlier run, which is removed.
-void claim_directory(const fs::path& directory) {
-  std::error_code failed;
-  const auto exists = [&](const fs::path& path) { return fs::exists(path, failed); };
-  const auto throw_if_failed = [&](const char* what, const fs::path& path) {
-    if (failed) throw FileError(what + path.string() + ": " + failed.message());
-  };
-  const auto make = [&](const fs::path& path) {
-    fs::create_directories(path, failed);
-    throw_if_failed("cannot make ", path);
-  };
-  if (exists(directory) && !fs::is_directory(directory, failed))
-    throw FileError(directory.string() + " is not a directory");
-  if (exists(directory) && !fs::is_empty(directory, failed) && !exists(directory / "run.json") &&
-      !exists(directory / "run.json.partial")) {
-    throw FileError(directory.string() +
-                    " is neither empty nor an earlier run (it has no run.json); choose another --out");
-  }
-  make(directory);
-  for (const std::string name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml",
-                                 "run.pvd", "run.json"}) {
-    for (const char* ending : {"", ".partial"}) {
-      fs::remove(directory / (name + ending), failed);
-      throw_if_failed("cannot replace ", directory / name);
-    }
-  }
-  fs::remove_all(directory / "frames", failed);
-  make(directory / "frames");
+std::vector<std::string> files_of(const Scene& scene) {
+  std::vector<std::string> files = Frames::files(scene.output.frames.size());
+  for (const char* name :
+       {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml", "run.json"})
+    files.push_back(name);
+  return files;
 }
 
 void write_state(const fs::path& directory, const System& system, double t, const State& y) {
@@ -80,12 +60,9 @@ void write_text(const fs::path& file, const std::string& text) {
   out.finish();
 }
 
-}  // namespace
-
-RunOutcome run_with_files(const RunRequest& request) {
+RunOutcome run_in_own_directory(const RunRequest& request) {
   const Scene& asked = request.scene;
   const Timing& time = asked.time;
-  claim_directory(request.directory);
   write_text(request.directory / "scene.toml", canonical_text(asked));
 
   const BuildInfo& build = build_info();
@@ -146,7 +123,8 @@ RunOutcome run_with_files(const RunRequest& request) {
                      .step = method->info().controlled ? time.max_step : time.step,
                      .stop = [&](double t) { return series.next_stop(t); },
                      .locate = time.locate,
-                     .validity = &validity};
+                     .validity = &validity,
+                     .stops_when_interrupted = true};
   long steps = 0;
   FirstTouch touch;
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
@@ -167,7 +145,18 @@ RunOutcome run_with_files(const RunRequest& request) {
   json["validity"] = validity_json(validity);
   json["plate_meets_lattice"] = nullptr;
   if (std::isfinite(touch.time())) json["plate_meets_lattice"] = touch.time();
-  return conclude(to_string(end.ending), end.reason, end.time);
+  const bool was_asked = end.ending == Ending::stopped && interrupt_requested();
+  return conclude(to_string(end.ending), was_asked ? interrupt_words() : end.reason, end.time);
+}
+
+}  // namespace
+
+RunOutcome run_with_files(const RunRequest& request) {
+  const DefaultFloatingPoint environment;
+  OwnedDirectory directory(request.directory, "run", files_of(request.scene));
+  RunOutcome outcome = run_in_own_directory(request);
+  directory.conclude(outcome.ended);
+  return outcome;
 }
 
 }  // namespace furrow

@@ -26,9 +26,11 @@ struct RunOutcome {
   std::string json;    // what run.json says
 };
 
-// Writes plate_force.csv, energy.csv, motion.csv, events.csv, state.csv, scene.toml, frames/, run.pvd and run.json. Of
-// an interrupted run the series keep the ending .partial, a diverged one is complete up to its last good state;
-// run.json says which. An earlier run in the directory is replaced; any other content is an error. Throws FileError.
+// Writes plate_force.csv, energy.csv, motion.csv, events.csv, state.csv, scene.toml, frames/, run.pvd and run.json into
+// a directory of its own, see owned_directory.h: a run that is there is replaced, however it ended. What grows with an
+// interrupted run ends where it was stopped and keeps the ending .partial: the series, run.pvd and frames/frames.csv.
+// What is whole in itself has its name: each picture, state.csv as it was then, scene.toml, and run.json, which says
+// how the run ended. A diverged run is complete up to its last good state. Throws FileError.
 RunOutcome run_with_files(const RunRequest& request);
 
 }  // namespace furrow

@@ -4,19 +4,19 @@
 #include <cmath>
 
 #include "methods/method.h"
+#include "scene/labels.h"
 
 namespace furrow {
 namespace {
 
-// Distance the first plate has gone; without a plate the time stands for nothing and this is 0.
-double displacement(const System& system, double t) {
-  if (system.parts().plate.empty()) return 0;
-  const PlatePart& p = system.parts().plate.front();
-  return std::sqrt(p.vx * p.vx + p.vy * p.vy) * t;
+double displacement(const PlatePart& plate, double t) {
+  return std::sqrt(plate.vx * plate.vx + plate.vy * plate.vy) * t;
 }
 
-std::string name_or_index(const std::string& name, std::size_t index) {
-  return name.empty() ? std::to_string(index) : name;
+// Without a plate the time stands for nothing and this is 0.
+double displacement_of_first(const System& system, double t) {
+  const std::vector<PlatePart>& plates = system.parts().plate;
+  return plates.empty() ? 0 : displacement(plates.front(), t);
 }
 
 }  // namespace
@@ -25,6 +25,8 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
     : scene_(scene),
       slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
       validity_(validity),
+      plates_(labels(scene.plate)),
+      lattices_(labels(scene.lattice)),
       force_(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]"),
       energy_(directory / "energy.csv",
               "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
@@ -43,7 +45,7 @@ void Series::see(const System& system, double t, const State& y, const JumpRepor
   }
   const std::vector<double>& times = scene_.output.frames;
   while (pictures_ < times.size() && t >= times[pictures_] - slack_) {
-    frames_.add(system, t, displacement(system, t), y);
+    frames_.add(system, t, displacement_of_first(system, t), y);
     ++pictures_;
   }
 }
@@ -56,7 +58,7 @@ double Series::next_stop(double t) const {
 
 void Series::close(bool complete) {
   for (OutputFile* file : {&force_, &energy_, &motion_, &events_}) complete ? file->finish() : file->close();
-  frames_.finish();
+  frames_.close(complete);
 }
 
 void Series::add_rows(const System& system, double t, const State& y) {
@@ -64,7 +66,7 @@ void Series::add_rows(const System& system, double t, const State& y) {
   if (rows_ == 0) start_ = seen.energy;
   for (std::size_t k = 0; k < seen.plate.size(); ++k) {
     const Force& f = seen.plate[k];
-    force_.row(t, name_or_index(scene_.plate[k].name, k), displacement(system, t), f.x, f.y, std::hypot(f.x, f.y));
+    force_.row(t, plates_[k], displacement(system.parts().plate[k], t), f.x, f.y, std::hypot(f.x, f.y));
   }
   const Energies& e = seen.energy;
   if (system.keeps_ledger()) {
@@ -74,6 +76,7 @@ void Series::add_rows(const System& system, double t, const State& y) {
   }
   motion_.row(t, seen.momentum.x, seen.momentum.y, seen.momentum.angular, seen.contacts, seen.overlap.depth,
               seen.overlap.relative, greatest_speed(system, y));
+  for (OutputFile* file : {&force_, &energy_, &motion_, &events_}) file->flush();
 }
 
 void Series::add_tear(const System& system, const Tear& tear) {
@@ -81,9 +84,9 @@ void Series::add_tear(const System& system, const Tear& tear) {
   const NodeArrays& node = parts.node;
   const int a = parts.link.a[tear.link];
   const int b = parts.link.b[tear.link];
-  events_.row(tear.time, displacement(system, tear.time), to_string(parts.link.kind[tear.link]),
-              name_or_index(parts.lattice[node.lattice[a]].name, node.lattice[a]), node.row[a], node.column[a],
-              node.row[b], node.column[b], (node.body[a] < 0 ? 1 : 0) + (node.body[b] < 0 ? 1 : 0), tear.force);
+  events_.row(tear.time, displacement_of_first(system, tear.time), to_string(parts.link.kind[tear.link]),
+              lattices_[node.lattice[a]], node.row[a], node.column[a], node.row[b], node.column[b],
+              (node.body[a] < 0 ? 1 : 0) + (node.body[b] < 0 ? 1 : 0), tear.force);
 }
 
 }  // namespace furrow

@@ -1,4 +1,7 @@
-// The series of a run: what is written row by row while it goes on, and its frames.
+// The series of a run: what is written row by row while it goes on, and its frames. Rows are in the file, not in
+// memory, as soon as they are written; a disk that is full ends the run there.
+//   plate_force.csv  each row with the displacement of its own plate
+//   events.csv       torn links, with the displacement of the first plate; 0 without a plate
 #pragma once
 
 #include <filesystem>
@@ -25,7 +28,7 @@ class Series {
   // The next time at which something is due, for methods that choose their steps.
   double next_stop(double t) const;
 
-  // Files of a run that is not complete keep the ending .partial.
+  // Those of a run that is not complete keep the ending .partial.
   void close(bool complete);
 
  private:
@@ -35,6 +38,7 @@ class Series {
   const Scene& scene_;
   const double slack_;  // s
   Validity& validity_;
+  std::vector<std::string> plates_, lattices_;  // what rows call them
   OutputFile force_, energy_, motion_, events_;
   Frames frames_;
   Energies start_;

@@ -44,7 +44,8 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
     progress.say("furrow: error: " + name + " is invalid: " + outcome.reason + "; what it had written is" +
                  in_directory);
   if (outcome.ended == "interrupted")
-    progress.say("furrow: " + name + " was interrupted; what it had written is marked .partial" + in_directory);
+    progress.say("furrow: " + name + " was " + outcome.reason + in_directory +
+                 ": its series end there and keep the ending .partial");
   return outcome;
 }
 
@@ -137,11 +138,13 @@ int report_command(const ReportOptions& options) {
     const Scene scene = requested_scene(one);  // says what is wrong with any of them before the first one starts
     if (!options.reuse || !reused(one, scene)) wanted.push_back(one);
   }
+  OwnedDirectory directory(options.directory, "report", page_files());
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
   const Evidence evidence{options.checks, options.faults, options.studies};
-  write_report(options.directory, runs, evidence);
+  write_report(directory, runs, evidence);
+  directory.conclude("finished");
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
   const std::vector<std::string> missing = missing_evidence(evidence);
   for (const std::string& why : missing) std::cerr << "furrow: missing on the page: " << why << "\n";

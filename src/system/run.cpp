@@ -88,8 +88,7 @@ class Watch {
     const ContactId over = furrow::stepped_over(system_, step);
     if (over.a < 0) return {};
     body = of_disc(over.kind) ? over.a : parts.node.body[over.a];
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
+    Sentence text;
     text << "plate " << over.b << " stepped over " << parts.body_name(body) << " in one step of " << step.h
          << " s: it was on one side of it before and is on the other now, and they never touched; the step is too long";
     return text.str();
@@ -123,8 +122,7 @@ class Pace {
     const double left = (end_ - t) / (t - since_) * looks_every;
     since_ = t;
     if (!(left > most_steps)) return;
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
+    Sentence text;
     text << "the last " << looks_every << " steps led nowhere: at their pace " << left
          << " more would be needed to the end; the tolerance is too tight for what the scene does here";
     throw Divergence(text.str());

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "methods/method.h"
 #include "methods/wide.h"
@@ -93,8 +91,7 @@ std::optional<double> allowed(const Scene& scene, WatchKind kind) {
 }
 
 std::string allowance(const std::string& method, const StiffPart& part, double limit) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
+  Sentence text;
   text.precision(3);
   text << method << " allows " << limit << " s for " << part.name << ", " << part.contacts
        << " contacts, damping ratio " << part.oscillator.zeta
@@ -161,8 +158,7 @@ void Validity::look(WatchKind kind, double t, double value, const Where& where) 
 void Validity::say(WatchKind kind, Verdict verdict) {
   if (verdict < Verdict::warned || !failure_.empty()) return;
   const Watched& w = of(kind);
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
+  Sentence text;
   text.precision(3);
   const Rule& rule = rules[static_cast<std::size_t>(kind)];
   text << "at t = " << w.time << " s " << rule.before << w.worst << rule.after;
@@ -242,8 +238,7 @@ void Validity::look_at_arrival(double t) {
   const double speed = extremes_.speed + plate_speed_;
   if (!(speed > renew_beyond * arrival_speed_)) return;
   arrival_speed_ = speed;
-  std::ostringstream where;
-  where.imbue(std::locale::classic());
+  Sentence where;
   where.precision(3);
   where << "at " << speed << " m/s";
   const double limit = largest_stable_step(scene_.time.method, stiffest_impact(system_.parts(), speed));

@@ -23,9 +23,9 @@ std::string text_of(const std::filesystem::path& file) {
 }
 
 std::string page_of(const RunDirectory& run, const std::string& name = "scenario_1") {
-  const auto out = run.path() / "page";
+  OwnedDirectory out(run.path() / "page", "report", page_files());
   write_report(out, {{name, run.path()}});
-  return text_of(out / "index.html");
+  return text_of(out.path() / "index.html");
 }
 
 bool has(const std::string& page, const std::string& text) { return page.find(text) != std::string::npos; }
@@ -111,8 +111,9 @@ TEST(Report, SaysThatGnuplotIsMissing) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", run.path().c_str(), 1);
   std::string said;
+  Drawings drawings;
   try {
-    draw({}, "plot x", run.path() / "x.svg", "x");
+    draw({}, "plot x", drawings, "x", "x");
   } catch (const std::runtime_error& error) {
     said = error.what();
   }
@@ -121,9 +122,9 @@ TEST(Report, SaysThatGnuplotIsMissing) {
 }
 
 TEST(Report, TellsWhatGnuplotComplainsOf) {
-  RunDirectory run;
+  Drawings drawings;
   try {
-    draw({}, "plot nonsense_variable\n", run.path() / "it's.svg", "x");
+    draw({}, "plot nonsense_variable\n", drawings, "it's", "x");
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {
     EXPECT_TRUE(has(error.what(), "undefined variable: nonsense_variable")) << error.what();

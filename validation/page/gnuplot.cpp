@@ -1,14 +1,10 @@
 #include "page/gnuplot.h"
 
-#include <sys/wait.h>
-
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
+#include "output/child.h"
 #include "output/files.h"
-#include "page/table.h"
 
 namespace furrow {
 namespace {
@@ -28,17 +24,15 @@ std::string gnuplot_number(double value) {
 
 std::string gnuplot_text(std::string_view text) { return "'" + replaced(std::string(text), "'", "''") + "'"; }
 
-void run_gnuplot(const std::string& script) {
-  FILE* pipe = popen(("gnuplot '" + replaced(script, "'", "'\\''") + "' 2>&1").c_str(), "r");
-  if (!pipe) throw std::runtime_error("gnuplot cannot be started");
-  std::string said;
-  std::array<char, 256> part{};
-  while (std::fgets(part.data(), part.size(), pipe)) said += part.data();
-  const int status = pclose(pipe);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 127) {
-    throw std::runtime_error("gnuplot is not installed (or not in PATH): the figures need it");
-  }
-  if (status != 0) throw std::runtime_error("gnuplot failed on " + script + ": " + said);
+// What it draws on its standard output.
+std::string drawn_by_gnuplot(const std::string& script, const std::string& figure) {
+  const ChildEnd end = run_child({.words = {"gnuplot", "{input}"}, .input = script});
+  if (end.code == 127) throw std::runtime_error("gnuplot is not installed (or not in PATH): the figures need it");
+  if (end.code != 0)
+    throw std::runtime_error("gnuplot failed on " + figure + " (exit " + std::to_string(end.code) + "): " + end.errors);
+  if (end.output.find("<svg") == std::string::npos || end.output.find("</svg>") == std::string::npos)
+    throw std::runtime_error("gnuplot drew nothing for " + figure + ": " + end.errors);
+  return end.output;
 }
 
 }  // namespace
@@ -64,23 +58,14 @@ PlotInput& PlotInput::block(std::string_view name, const std::vector<Row>& rows)
   return *this;
 }
 
-std::string draw(const PlotInput& input, std::string_view script, const std::filesystem::path& svg,
+std::string draw(const PlotInput& input, std::string_view script, Drawings& drawings, const std::string& name,
                  std::string_view description) {
-  const std::string source = svg.string() + ".gp";
-  OutputFile file(source);
-  file << "set encoding utf8\nset datafile separator comma\nset terminal svg\nset output " << gnuplot_text(svg.string())
-       << "\n"
-       << input.text() << script;
-  file.finish();
-  std::filesystem::remove(svg);  // one of an earlier run must not pass for this one's
-  run_gnuplot(source);
-  std::filesystem::remove(source);
-  std::string text = std::filesystem::exists(svg) ? run_text(svg) : "";
-  if (text.find("<svg") == std::string::npos || text.find("</svg>") == std::string::npos)
-    throw std::runtime_error("gnuplot drew nothing into " + svg.string());
+  std::string text = drawn_by_gnuplot(
+      "set encoding utf8\nset datafile separator comma\nset terminal svg\n" + input.text() + std::string(script), name);
+  drawings[name + ".svg"] = text;
   text.erase(0, text.find("<svg"));
   for (const std::string before : {" id='", " id=\"", "href='#", "href=\"#", "url(#"}) {
-    text = replaced(std::move(text), before, before + svg.stem().string() + "_");
+    text = replaced(std::move(text), before, before + name + "_");
   }
   text = replaced(std::move(text), "<title>Gnuplot</title>", "");
   return text.replace(0, 4, "<svg role=\"img\" aria-label=\"" + escaped(description) + "\"");

@@ -1,7 +1,7 @@
 // Figures by gnuplot: a script of validation/figures behind the settings and data of one figure.
 #pragma once
 
-#include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,10 +24,13 @@ class PlotInput {
   std::string text_;
 };
 
-// Draws into the file `svg` and returns the drawing as an element of a page: every id and reference is prefixed by the
-// file's stem, `description` is for those who cannot see it. Throws std::runtime_error if gnuplot is not installed or
-// fails.
-std::string draw(const PlotInput& input, std::string_view script, const std::filesystem::path& svg,
+// The figures of a page as they are drawn: SVG by the name of its file.
+using Drawings = std::map<std::string, std::string>;
+
+// Draws NAME.svg and returns the drawing as an element of a page: every id and reference is prefixed by the name,
+// `description` is for those who cannot see it. Throws std::runtime_error if gnuplot is not installed, fails, draws
+// nothing, or does not end within a minute; Interrupted.
+std::string draw(const PlotInput& input, std::string_view script, Drawings& drawings, const std::string& name,
                  std::string_view description);
 
 // Text as it may stand in HTML, also between quotes.

@@ -83,36 +83,42 @@ std::string missing_part(const Evidence& evidence) {
 
 }  // namespace
 
-void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& reported,
-                  const Evidence& evidence) {
+std::vector<std::string> page_files() { return {"index.html", "scenes.md"}; }
+
+void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& reported, const Evidence& evidence) {
   const Publication paper = read_publication(embedded("validation/statements.toml"));
   std::vector<RunRecord> runs;
   for (const ReportedRun& r : reported) runs.push_back(read_run(r.name, r.directory));
-  std::filesystem::create_directories(out);
+  Drawings files;
   std::string contents, scenes;
   for (const RunRecord& run : runs) {
     contents +=
         element("li", "<a href=\"#" + run.name + "\">" + escaped(run.scene.title) + "</a>" +
                           (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
-    scenes += scene_section(run, paper, out);
+    scenes += scene_section(run, paper, files);
   }
   const StudyPlace before = StudyPlace::before_scenes, after = StudyPlace::after_scenes;
-  OutputFile page(out / "index.html");
-  page << filled(figure_file("page.html"),
-                 {{"style", figure_file("page.css")},
-                  {"paper", escaped(paper.title)},
-                  {"contents", contents},
-                  {"scenes", scenes},
-                  {"first_contents", study_contents(evidence.studies, before)},
-                  {"first_study", missing_part(evidence) + study_sections(evidence.studies, before, out)},
-                  {"study_contents", study_contents(evidence.studies, after)},
-                  {"studies", study_sections(evidence.studies, after, out)},
-                  {"verification", verification_section(evidence)},
-                  {"made", how_made(runs)}});
-  page.finish();
-  OutputFile table(out / "scenes.md");
-  table << scene_table(runs);
-  table.finish();
+  files["index.html"] =
+      filled(figure_file("page.html"),
+             {{"style", figure_file("page.css")},
+              {"paper", escaped(paper.title)},
+              {"contents", contents},
+              {"scenes", scenes},
+              {"first_contents", study_contents(evidence.studies, before)},
+              {"first_study", missing_part(evidence) + study_sections(evidence.studies, before, files)},
+              {"study_contents", study_contents(evidence.studies, after)},
+              {"studies", study_sections(evidence.studies, after, files)},
+              {"verification", verification_section(evidence)},
+              {"made", how_made(runs)}});
+  files["scenes.md"] = scene_table(runs);
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) names.push_back(name);
+  directory.add(names);
+  for (const auto& [name, text] : files) {
+    OutputFile file(directory.path() / name);
+    file << text;
+    file.finish();
+  }
 }
 
 }  // namespace furrow

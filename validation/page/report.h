@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "output/owned_directory.h"
 #include "page/verification.h"
 
 namespace furrow {
@@ -14,10 +15,12 @@ struct ReportedRun {
   std::filesystem::path directory;  // where the run's files are
 };
 
-// Writes index.html, which needs no other file, and the figures beside it as SVG into `out`, which is made if need be.
-// Runs that diverged or were interrupted are shown as such. Throws std::runtime_error: gnuplot missing, a file missing
-// or malformed.
-void write_report(const std::filesystem::path& out, const std::vector<ReportedRun>& runs,
-                  const Evidence& evidence = {});
+// What every report writes, to take its directory for.
+std::vector<std::string> page_files();
+
+// Writes index.html, which needs no other file, scenes.md, and the figures beside them as SVG. Runs that diverged or
+// were interrupted are shown as such. Throws std::runtime_error: gnuplot missing, a file missing or malformed; then
+// nothing is written.
+void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& runs, const Evidence& evidence = {});
 
 }  // namespace furrow

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "output/files.h"
+#include "scene/labels.h"
 #include "scene/read.h"
 
 namespace furrow {
@@ -66,12 +67,12 @@ Parts lattices_of(Scene scene) {
 }
 
 std::vector<TornLink> torn_links(const Table& events, const Parts& parts) {
+  const std::vector<std::string> lattices = labels(parts.lattice);
   std::map<std::vector<std::string>, int> index;
   for (int k = 0; k < parts.link.count(); ++k) {
     const int a = parts.link.a[k], b = parts.link.b[k], owner = parts.node.lattice[a];
-    const std::string& name = parts.lattice[owner].name;
-    index[{to_string(parts.link.kind[k]), name.empty() ? std::to_string(owner) : name,
-           std::to_string(parts.node.row[a]), std::to_string(parts.node.column[a]), std::to_string(parts.node.row[b]),
+    index[{to_string(parts.link.kind[k]), lattices[owner], std::to_string(parts.node.row[a]),
+           std::to_string(parts.node.column[a]), std::to_string(parts.node.row[b]),
            std::to_string(parts.node.column[b])}] = k;
   }
   const auto mm = events.numbers("displacement [m]");

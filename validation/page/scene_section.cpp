@@ -36,11 +36,10 @@ std::string ending(const RunRecord& run) {
   return html + (warnings.empty() ? "" : element("div", warnings, "warnings"));
 }
 
-// The page's part of one run; `out` is where the SVG files go.
+// The page's part of one run; `drawings` is where the figures go.
 class SceneSection {
  public:
-  SceneSection(const RunRecord& run, const Publication& paper, std::filesystem::path out)
-      : run_(run), out_(std::move(out)) {
+  SceneSection(const RunRecord& run, const Publication& paper, Drawings& drawings) : run_(run), drawings_(drawings) {
     for (const Statement& s : paper.statements) {
       if (s.scene == run.name) statements_.push_back(s);
     }
@@ -52,13 +51,13 @@ class SceneSection {
                                               {"ending", ending(run_)},
                                               {"force", force()},
                                               {"energy", energy()},
-                                              {"snapshots", snapshots(run_, out_)},
+                                              {"snapshots", snapshots(run_, drawings_)},
                                               {"statements", statements()},
                                               {"torn", torn()}});
   }
 
  private:
-  std::filesystem::path file(const std::string& name) const { return out_ / (run_.name + "_" + name + ".svg"); }
+  std::string figure_name(const char* what) const { return run_.name + "_" + what; }
 
   std::string force() const {
     const ForceCurve& c = run_.force;
@@ -88,12 +87,12 @@ class SceneSection {
         .set("bottom", low - 0.04 * (low < 0 ? high - low : 0))
         .set("top", high + 0.1 * (high - low));
     input.block("force", curve).block("peaks", peaks).block("levels", levels).block("uprights", uprights);
-    return figure(drawn(input, "force.gp", file("force"), "Force on the plate against its displacement"),
-                  "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
-                  "sum is largest, " +
-                      with_unit(measure(run_, "largest_force").value, "N") + ", at " +
-                      with_unit(measure(run_, "largest_force_at").value, "mm") +
-                      "; dotted: the numbers that the paper gives.");
+    return figure(
+        drawn(input, "force.gp", drawings_, figure_name("force"), "Force on the plate against its displacement"),
+        "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
+        "sum is largest, " +
+            with_unit(measure(run_, "largest_force").value, "N") + ", at " +
+            with_unit(measure(run_, "largest_force_at").value, "mm") + "; dotted: the numbers that the paper gives.");
   }
 
   std::string energy() const {
@@ -121,7 +120,8 @@ class SceneSection {
     PlotInput input;
     input.set("end", travel(run_)).set("speed", plate_speed(run_)).set("start", stored(0)).set("energy", t.file());
     input.set("rows_apart", std::max(1.0, std::floor(static_cast<double>(t.rows()) / 400)));
-    return figure(drawn(input, "energy.gp", file("energy"), "Energy ledger against displacement"), caption);
+    return figure(drawn(input, "energy.gp", drawings_, figure_name("energy"), "Energy ledger against displacement"),
+                  caption);
   }
 
   std::string statements() const {
@@ -171,7 +171,7 @@ class SceneSection {
   }
 
   const RunRecord& run_;
-  std::filesystem::path out_;
+  Drawings& drawings_;
   std::vector<Statement> statements_;
 };
 
@@ -186,8 +186,8 @@ std::string fact_shown(const RunRecord& run, const std::string& key) {
   return all.empty() ? "none" : all;
 }
 
-std::string scene_section(const RunRecord& run, const Publication& paper, const std::filesystem::path& out) {
-  return SceneSection(run, paper, out).html();
+std::string scene_section(const RunRecord& run, const Publication& paper, Drawings& drawings) {
+  return SceneSection(run, paper, drawings).html();
 }
 
 }  // namespace furrow

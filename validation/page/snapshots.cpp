@@ -12,7 +12,7 @@ namespace {
 
 class Snapshots {
  public:
-  Snapshots(const RunRecord& run, const std::filesystem::path& out) : run_(run), out_(out) {}
+  Snapshots(const RunRecord& run, Drawings& drawings) : run_(run), drawings_(drawings) {}
 
   std::string html() const {
     const View v = view();
@@ -119,24 +119,24 @@ class Snapshots {
     input.set("x0", v.x0).set("x1", v.x1).set("y0", v.y0).set("y1", v.y1).set("caption", letter + ") " + mm);
     input.set("stress_top", stress.top / 1e3).set("force_top", force.top).set("weight", has_weight() ? 1 : 0);
     input.set("links", f.links.file()).set("plates", f.plates.file()).block("walls", walls).block("discs", discs);
-    return drawn(input, "panel.gp", file("snapshot_" + letter), "Snapshot at " + mm);
+    return drawn(input, "panel.gp", drawings_, figure_name("snapshot_" + letter), "Snapshot at " + mm);
   }
 
   std::string bar(const std::string& name, double low, double high, const std::string& title,
                   const std::string& palette) const {
     PlotInput input;
     input.set("low", low).set("high", high).set("title", title).set("palette_name", palette);
-    return drawn(input, "bar.gp", file(name), "Colour scale: " + title);
+    return drawn(input, "bar.gp", drawings_, figure_name(name), "Colour scale: " + title);
   }
 
-  std::filesystem::path file(const std::string& name) const { return out_ / (run_.name + "_" + name + ".svg"); }
+  std::string figure_name(const std::string& what) const { return run_.name + "_" + what; }
 
   const RunRecord& run_;
-  const std::filesystem::path& out_;
+  Drawings& drawings_;
 };
 
 }  // namespace
 
-std::string snapshots(const RunRecord& run, const std::filesystem::path& out) { return Snapshots(run, out).html(); }
+std::string snapshots(const RunRecord& run, Drawings& drawings) { return Snapshots(run, drawings).html(); }
 
 }  // namespace furrow

@@ -80,7 +80,7 @@ std::string table_of(const ordered_json& part) {
          element("tbody", body) + "</table></div>\n";
 }
 
-std::string figure_of(const ordered_json& part, const fs::path& out) {
+std::string figure_of(const ordered_json& part, Drawings& drawings) {
   PlotInput input;
   for (const auto& [name, value] : part.at("variables").items()) {
     if (value.is_number()) {
@@ -105,18 +105,17 @@ std::string figure_of(const ordered_json& part, const fs::path& out) {
     input.block(name, rows);
   }
   const auto script = [](const std::string& file) { return std::string(embedded("validation/figures/" + file)); };
-  const std::string drawn =
-      draw(input, script("palettes.gp") + script(part.at("script")),
-           out / (part.at("name").get<std::string>() + ".svg"), part.at("description").get<std::string>());
+  const std::string drawn = draw(input, script("palettes.gp") + script(part.at("script")), drawings,
+                                 part.at("name").get<std::string>(), part.at("description").get<std::string>());
   return figure(drawn, text(part, "caption"));
 }
 
-std::string part_of(const ordered_json& part, const fs::path& out) {
+std::string part_of(const ordered_json& part, Drawings& drawings) {
   const std::string kind = part.at("kind");
   if (kind == "heading") return element("h3", text(part, "text"));
   if (kind == "text") return element("p", text(part, "text"));
   if (kind == "table") return table_of(part);
-  return figure_of(part, out);
+  return figure_of(part, drawings);
 }
 
 // A study stays as it is while the solver goes on: the page says so.
@@ -145,13 +144,13 @@ std::string study_contents(const fs::path& directory, StudyPlace place) {
   return lines;
 }
 
-std::string study_sections(const fs::path& directory, StudyPlace place, const fs::path& out) {
+std::string study_sections(const fs::path& directory, StudyPlace place, Drawings& drawings) {
   std::string sections;
   for (const Result& result : results_in(directory, place)) {
     const ordered_json& json = result.json;
     std::string html = element("h2", text(json, "title")) + element("p", text(json, "question"), "lead");
     html += claims_of(json.at("claims"));
-    for (const ordered_json& part : json.at("parts")) html += part_of(part, out);
+    for (const ordered_json& part : json.at("parts")) html += part_of(part, drawings);
     html += element("p",
                     "By <code>furrow study " + result.name + "</code>, commit " + text(json, "commit") + ", " +
                         text(json, "compiler") + ", " + text(json, "machine") + "." + by_which_solver(json),

@@ -4,13 +4,15 @@
 #include <filesystem>
 #include <string>
 
+#include "page/gnuplot.h"
+
 namespace furrow {
 
 enum class StudyPlace { before_scenes, after_scenes };
 
 // A line of the page's contents for each result, and a section for each; HTML. A result that is missing or cannot be
-// used makes none, see missing_evidence. The figures go into `out`. Throws std::runtime_error if gnuplot fails.
+// used makes none, see missing_evidence. The figures go to `drawings`. Throws std::runtime_error if gnuplot fails.
 std::string study_contents(const std::filesystem::path& directory, StudyPlace place);
-std::string study_sections(const std::filesystem::path& directory, StudyPlace place, const std::filesystem::path& out);
+std::string study_sections(const std::filesystem::path& directory, StudyPlace place, Drawings& drawings);
 
 }  // namespace furrow

@@ -4,13 +4,38 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "output/files.h"
 
 namespace furrow {
+namespace {
+
+// RFC 4180: between quotes, commas and ends of lines are text, and "" is one quote.
+std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
+  std::vector<std::vector<std::string>> rows;
+  bool in_row = false, in_quotes = false;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    if (!in_row) rows.push_back({""});
+    in_row = true;
+    if (c == '"' && in_quotes && k + 1 < text.size() && text[k + 1] == '"') {
+      rows.back().back() += text[++k];
+    } else if (c == '"') {
+      in_quotes = !in_quotes;
+    } else if (c == ',' && !in_quotes) {
+      rows.back().emplace_back();
+    } else if (c == '\n' && !in_quotes) {
+      in_row = false;
+    } else {
+      rows.back().back() += c;
+    }
+  }
+  return rows;
+}
+
+}  // namespace
 
 std::filesystem::path run_path(const std::filesystem::path& file) {
   return std::filesystem::exists(file) ? file : std::filesystem::path(file.string() + ".partial");
@@ -23,21 +48,15 @@ std::string run_text(const std::filesystem::path& file) {
 }
 
 Table::Table(const std::filesystem::path& file) : file_(run_path(file).string()) {
-  std::istringstream stream(run_text(file));
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    std::vector<std::string> cells;
-    std::istringstream row(line + ",");
-    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    if (number == 1) {
-      heading_ = cells;
-      columns_.resize(cells.size());
-    } else if (cells.size() != heading_.size()) {
-      throw std::runtime_error(file_ + ":" + std::to_string(number) + ": has " + std::to_string(cells.size()) +
+  const std::vector<std::vector<std::string>> rows = csv_rows(run_text(file));
+  if (!rows.empty()) heading_ = rows[0];
+  columns_.resize(heading_.size());
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    if (rows[row].size() != heading_.size()) {
+      throw std::runtime_error(file_ + ":" + std::to_string(row + 1) + ": has " + std::to_string(rows[row].size()) +
                                " cells, the heading " + std::to_string(heading_.size()));
-    } else {
-      for (std::size_t k = 0; k < cells.size(); ++k) columns_[k].push_back(std::move(cells[k]));
     }
+    for (std::size_t k = 0; k < heading_.size(); ++k) columns_[k].push_back(rows[row][k]);
   }
 }
 

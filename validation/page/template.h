@@ -1,7 +1,6 @@
 // Texts and scripts of validation/figures.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
@@ -13,9 +12,9 @@ namespace furrow {
 inline std::string figure_file(const std::string& name) { return std::string(embedded("validation/figures/" + name)); }
 
 // The figure of a script of validation/figures, see draw().
-inline std::string drawn(const PlotInput& input, const std::string& script, const std::filesystem::path& svg,
+inline std::string drawn(const PlotInput& input, const std::string& script, Drawings& drawings, const std::string& name,
                          const std::string& what) {
-  return draw(input, figure_file("palettes.gp") + figure_file(script), svg, what);
+  return draw(input, figure_file("palettes.gp") + figure_file(script), drawings, name, what);
 }
 
 // Replaces every {{key}}.

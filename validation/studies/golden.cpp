@@ -7,6 +7,7 @@
 
 #include "output/build_info.h"
 #include "output/files.h"
+#include "output/kept_result.h"
 #include "page/seal.h"
 #include "scene/read.h"
 #include "studies/beds.h"
@@ -114,6 +115,10 @@ Json golden_in(const fs::path& file) {
   return stream ? Json::parse(stream, nullptr, false) : Json();
 }
 
+fs::path file_of(const Which& which, const GoldenOptions& options) {
+  return options.directory / (which.name() + ".json");
+}
+
 void write_golden(const fs::path& file, Json golden, const Json& old, const std::string& reason) {
   const BuildInfo& build = build_info();
   golden["commit"] = build.commit;
@@ -122,9 +127,12 @@ void write_golden(const fs::path& file, Json golden, const Json& old, const std:
   golden["reasons"] = old.is_object() && old.contains("reasons") ? old["reasons"] : Json::array();
   golden["reasons"].push_back(reason);
   seal(golden);
-  OutputFile out(file);
-  out << golden.dump() << "\n";
-  out.finish();
+  replace_file(file, golden.dump() + "\n");
+}
+
+bool is_golden(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("checkpoints") && json.contains("reasons");
 }
 
 }  // namespace
@@ -136,14 +144,16 @@ int check_goldens(const GoldenOptions& options) {
     throw FileError("no directory " + options.directory.string() + "; run in the source tree or give --goldens");
   const std::vector<Which> runs = all_runs(options.quick);
   std::vector<Task> tasks;
-  for (const Which& which : runs)
+  for (const Which& which : runs) {
+    if (options.remake) refuse_what_is_not("a golden output", file_of(which, options), is_golden);
     tasks.push_back(
         {which.name(), [which, extent = extent_of(which, options.quick)] { return run_of(which, extent); }});
+  }
   const std::vector<Json> results =
       run_tasks("golden", {.quick = options.quick, .jobs = options.jobs, .progress = options.progress}, tasks);
   int different = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    const fs::path file = options.directory / (runs[k].name() + ".json");
+    const fs::path file = file_of(runs[k], options);
     const Json old = golden_in(file);
     const Comparison found = compare_golden(results[k], old, extent_of(runs[k], options.quick));
     options.say(runs[k].name() + ": " + (old.is_null() ? "no golden " + file.string() : found.text));

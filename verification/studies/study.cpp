@@ -7,12 +7,14 @@
 #include <mutex>
 #include <new>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
 
 #include "output/build_info.h"
 #include "output/files.h"
+#include "output/kept_result.h"
 #include "output/machine.h"
 #include "page/embedded.h"
 #include "page/seal.h"
@@ -46,6 +48,16 @@ bool ends_within_a_line(const fs::path& file) {
   return stream.get() != '\n';
 }
 
+// Every line begins as those that Kept writes, also one that was cut short later on.
+bool is_list_of_runs(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string beginning = std::string("{\"program\":").substr(0, line.size());
+    if (!line.starts_with(beginning)) return false;
+  }
+  return true;
+}
+
 // Results of earlier, interrupted calls, and of this one as they come. What makes a result is in its line: program,
 // machine, study, form and key. A failure is not taken: it may have been one of the machine, so it is tried again.
 class Kept {
@@ -56,6 +68,7 @@ class Kept {
     if (settings.directory.empty()) return;
     fs::create_directories(settings.directory);
     file_ = settings.directory / (study + ".runs.jsonl");
+    refuse_what_is_not("a list of runs of a study", file_, is_list_of_runs);
     std::ifstream earlier(file_);
     for (std::string line; std::getline(earlier, line);) take(Json::parse(line, nullptr, false));
     const bool cut = ends_within_a_line(file_);
@@ -101,10 +114,12 @@ void refuse_twins(const std::vector<Task>& tasks) {
   }
 }
 
-// A method's failure is a result. That the machine failed is none: it ends the study.
+// A method's failure is a result. That the machine failed, or that somebody interrupted it, is none: it ends the study.
 Json result_of(const Task& task) {
   try {
     return task.run();
+  } catch (const Interrupted&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::system_error&) {
@@ -114,6 +129,12 @@ Json result_of(const Task& task) {
   } catch (const std::exception& failure) {
     return {{"failed", failure.what()}};
   }
+}
+
+// Earlier ones do not say of which study they are.
+bool is_result(const std::string& name, const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("parts") && json.contains("claims") && json.value("study", name) == name;
 }
 
 }  // namespace
@@ -146,6 +167,10 @@ std::vector<Json> run_tasks(const std::string& study, const Settings& settings, 
   const auto work = [&] {
     try {
       for (std::size_t k; (k = next++) < tasks.size();) work_on(k);
+    } catch (const Interrupted&) {
+      const std::scoped_lock lock(mutex);
+      stopped = true;
+      next = tasks.size();
     } catch (...) {
       const std::scoped_lock lock(mutex);
       broken = std::current_exception();
@@ -218,14 +243,15 @@ std::vector<std::string> run_study(const std::string& name, const Settings& sett
   for (const Study& study : catalogue()) {
     known += (known.empty() ? "" : ", ") + study.name;
     if (study.name != name) continue;
+    const fs::path file = settings.directory / (name + ".json");
+    refuse_what_is_not("a result of study " + name, file,
+                       [&](const std::string& text) { return is_result(name, text); });
     Json result = study.run(settings);
     result["study"] = name;
     result["form"] = form_of(settings);
     result["sources"] = build_info().sources;
     seal(result);
-    OutputFile file(settings.directory / (name + ".json"));
-    file << result.dump(1) << "\n";
-    file.finish();
+    replace_file(file, result.dump(1) + "\n");
     fs::remove(settings.directory / (name + ".runs.jsonl"));
     std::vector<std::string> refuted;
     for (const Json& claim : result.at("claims")) {

@@ -1,0 +1,119 @@
+#include "output/child.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <stdexcept>
+
+#include "output/files.h"
+#include "output/machine.h"
+#include "scene/interrupt.h"
+
+namespace furrow {
+namespace {
+
+constexpr int could_not_start = 127;
+constexpr timespec between_looks{0, 5'000'000};  // s, ns
+
+// A file in memory, so that nothing is left behind and nobody waits for a reader.
+class MemoryFile {
+ public:
+  MemoryFile() : descriptor_(memfd_create("furrow", MFD_CLOEXEC)) {
+    if (descriptor_ < 0) throw std::runtime_error(std::string("no file in memory: ") + std::strerror(errno));
+  }
+  ~MemoryFile() { close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+
+  void fill(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t n = write(descriptor_, text.data(), text.size());
+      if (n < 0 && errno != EINTR) throw std::runtime_error(std::string("no room in memory: ") + std::strerror(errno));
+      if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
+    }
+  }
+
+  std::string text() const {
+    std::string all;
+    std::array<char, 65536> part{};
+    for (ssize_t n = 0; (n = pread(descriptor_, part.data(), part.size(), static_cast<off_t>(all.size()))) > 0;)
+      all.append(part.data(), static_cast<std::size_t>(n));
+    return all;
+  }
+
+ private:
+  int descriptor_;
+};
+
+// After fork: only what is safe there.
+[[noreturn]] void become(char* const* words, pid_t parent, int input, int output, int errors) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(could_not_start);
+  for (const int ignored : {SIGPIPE, SIGXFSZ}) std::signal(ignored, SIG_DFL);
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(errors, STDERR_FILENO);
+  fcntl(input, F_SETFD, 0);
+  execvp(words[0], words);
+  _exit(could_not_start);
+}
+
+// The child and all that it has started.
+class Group {
+ public:
+  explicit Group(pid_t leader) : leader_(leader) { setpgid(leader, leader); }
+  ~Group() {
+    kill(-leader_, SIGKILL);
+    if (!ended_) waitpid(leader_, &status_, 0);
+  }
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+  bool has_ended() { return ended_ = ended_ || waitpid(leader_, &status_, WNOHANG) == leader_; }
+  int code() const { return WIFEXITED(status_) ? WEXITSTATUS(status_) : 128 + WTERMSIG(status_); }
+
+ private:
+  pid_t leader_;
+  int status_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+ChildEnd run_child(const ChildRequest& request) {
+  const MemoryFile input, output, errors;
+  input.fill(request.input);
+  std::vector<std::string> words = request.words;
+  for (std::string& word : words) {
+    if (word == "{input}") word = "/dev/fd/" + std::to_string(input.descriptor());
+  }
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const double begun = wall_seconds();
+  const pid_t parent = getpid(), child = fork();
+  if (child < 0) throw std::runtime_error(words[0] + " cannot be started: " + std::strerror(errno));
+  if (child == 0) become(pointers.data(), parent, input.descriptor(), output.descriptor(), errors.descriptor());
+  Group group(child);
+  while (!group.has_ended()) {
+    throw_if_interrupted();
+    if (wall_seconds() - begun > request.limit)
+      throw std::runtime_error(words[0] + " has not ended after " + number(request.limit) + " s and was stopped");
+    nanosleep(&between_looks, nullptr);
+  }
+  return {group.code(), output.text(), errors.text()};
+}
+
+}  // namespace furrow

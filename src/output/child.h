@@ -1,0 +1,24 @@
+// Another program, run to its end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+struct ChildRequest {
+  std::vector<std::string> words;  // the program, looked for in PATH, and its arguments; "{input}" is a file of `input`
+  std::string input;
+  double limit = 60;  // s
+};
+
+struct ChildEnd {
+  int code = 0;  // exit code; 127: no such program; 128 + n: ended by signal n
+  std::string output, errors;
+};
+
+// Neither the program nor what it has started outlives this call, or this process. Throws Interrupted at once when that
+// is asked for, and std::runtime_error after the limit.
+ChildEnd run_child(const ChildRequest& request);
+
+}  // namespace furrow

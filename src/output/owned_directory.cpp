@@ -1,0 +1,256 @@
+#include "output/owned_directory.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "output/build_info.h"
+#include "output/process.h"
+
+namespace furrow {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* marker_name = ".furrow.json";
+constexpr std::string_view marker_begins = "{\n  \"program\": \"furrow\",";
+constexpr const char* running = "running";  // how an owner stands that has not said how it ended
+constexpr const char* endings[] = {"", ".partial"};
+
+fs::file_type type_of(const fs::path& path) {
+  std::error_code failed;
+  const fs::file_type type = fs::symlink_status(path, failed).type();
+  if (type == fs::file_type::none) throw FileError("cannot look at " + path.string() + ": " + failed.message());
+  return type;
+}
+
+bool is_there(const fs::path& path) { return type_of(path) != fs::file_type::not_found; }
+bool is_file(const fs::path& path) { return type_of(path) == fs::file_type::regular; }
+
+void remove_file(const fs::path& path) {
+  std::error_code failed;
+  fs::remove(path, failed);
+  if (failed) throw FileError("cannot replace " + path.string() + ": " + failed.message());
+}
+
+std::string beginning_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(marker_begins.size(), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+// What a process that was killed while it wrote the marker leaves.
+bool is_unfinished_marker(const fs::path& path) {
+  return path.filename().string().starts_with(std::string(marker_name) + ".partial-") && is_file(path) &&
+         marker_begins.starts_with(beginning_of(path));
+}
+
+// A name that a marker may list: below the directory, no way out of it.
+bool is_proper(const std::string& name) {
+  const fs::path path(name);
+  return !path.empty() && path.is_relative() && path == path.lexically_normal() && path.has_filename() &&
+         *path.begin() != ".." && name != marker_name;
+}
+
+struct Marker {
+  std::string kind, began, standing;
+  ProcessIdentity process;
+  std::set<std::string> files;
+};
+
+// Throws Json::exception.
+Marker marker_of(const Json& json) {
+  return {.kind = json.at("kind"),
+          .began = json.at("began"),
+          .standing = json.at("standing"),
+          .process = {json.at("pid"), json.at("process_start"), json.at("host")},
+          .files = json.at("files")};
+}
+
+// None if there is none.
+std::optional<Marker> marker_in(const fs::path& directory) {
+  const fs::path file = directory / marker_name;
+  if (!is_there(file)) return {};
+  try {
+    std::ifstream stream(file);
+    const Json json = is_file(file) ? Json::parse(stream) : Json();
+    Marker marker = marker_of(json);
+    if (json.at("program") == "furrow" && std::all_of(marker.files.begin(), marker.files.end(), is_proper))
+      return marker;
+  } catch (const Json::exception&) {
+    // as any other that is not a marker
+  }
+  throw FileError(file.string() + " is not a marker that furrow can read; remove it, or choose another --out");
+}
+
+[[noreturn]] void refuse_used_directory(const fs::path& directory, const std::optional<Marker>& marker) {
+  std::string who = "another process";
+  if (marker) {
+    who = "process " + std::to_string(marker->process.pid) + " on " + marker->process.host + ", which began at " +
+          marker->began;
+  }
+  throw FileError(directory.string() + " is in use by " + who + "; wait for it, or choose another --out");
+}
+
+void remove_unfinished_markers(const fs::path& directory) {
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    if (is_unfinished_marker(entry.path())) remove_file(entry.path());
+  }
+}
+
+void refuse_foreign_directory(const fs::path& directory) {
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(directory, failed)) {
+    if (is_unfinished_marker(entry.path())) continue;
+    if (type_of(entry.path()) == fs::file_type::directory && marker_in(entry.path())) continue;
+    const bool is_run = is_there(directory / "run.json") || is_there(directory / "run.json.partial");
+    throw FileError(directory.string() + " is not empty and has no marker (" + marker_name + ") of furrow's" +
+                    (is_run ? ", though it has a run.json: it was written by an earlier version, or by hand" : "") +
+                    "; move it away, or choose another --out");
+  }
+  if (failed) throw FileError("cannot look into " + directory.string() + ": " + failed.message());
+}
+
+// All directories between `directory` and the file, the outermost first.
+std::vector<fs::path> directories_of(const fs::path& directory, const std::string& file) {
+  std::vector<fs::path> between;
+  fs::path reached = directory;
+  for (const fs::path& part : fs::path(file).parent_path()) between.push_back(reached /= part);
+  return between;
+}
+
+// What stands where the owner's file is or will be must be that file or nothing.
+void refuse_what_is_in_the_way(const fs::path& directory, const std::string& file, bool own) {
+  if (!is_proper(file)) throw FileError(file + " is not a name of a file in " + directory.string());
+  for (const fs::path& between : directories_of(directory, file)) {
+    if (is_there(between) && type_of(between) != fs::file_type::directory)
+      throw FileError(between.string() +
+                      " is in the way: it is not a directory; move it away, or choose another --out");
+  }
+  for (const char* ending : endings) {
+    const fs::path path = directory / (file + ending);
+    if (!is_there(path) || (own && is_file(path))) continue;
+    throw FileError(path.string() +
+                    " is in the way: it is not a file of furrow's; move it away, or choose another --out");
+  }
+}
+
+}  // namespace
+
+OwnedDirectory::OwnedDirectory(fs::path directory, std::string kind, const std::vector<std::string>& files,
+                               Earlier earlier)
+    : directory_(std::move(directory)), kind_(std::move(kind)), began_(utc_time()) {
+  try {
+    lock();
+    take(files, earlier);
+  } catch (...) {
+    if (lock_ >= 0) close(lock_);
+    throw;
+  }
+}
+
+OwnedDirectory::~OwnedDirectory() {
+  try {
+    if (!concluded_) conclude("failed");
+  } catch (...) {  // the disk is full, perhaps: the marker says "running", and nobody holds the lock
+  }
+  close(lock_);
+}
+
+// The lock is on the directory itself, so that the marker can be replaced; it goes with the process.
+void OwnedDirectory::lock() {
+  std::error_code failed;
+  if (fs::exists(directory_, failed) && !fs::is_directory(directory_, failed))
+    throw FileError(directory_.string() + " is not a directory");
+  fs::create_directories(directory_, failed);
+  if (failed) throw FileError("cannot make " + directory_.string() + ": " + failed.message());
+  lock_ = open(directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) throw FileError("cannot open " + directory_.string() + ": " + std::strerror(errno));
+  if (flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+  const bool held = errno == EWOULDBLOCK;  // else the file system has no locks, and the marker must do
+  const std::optional<Marker> other = marker_in(directory_);
+  if (held || (other && other->standing == running && is_alive(other->process)))
+    refuse_used_directory(directory_, other);
+}
+
+void OwnedDirectory::take(const std::vector<std::string>& files, Earlier earlier) {
+  const std::optional<Marker> marker = marker_in(directory_);
+  if (!marker) refuse_foreign_directory(directory_);
+  if (marker && marker->kind != kind_) {
+    throw FileError(directory_.string() + " belongs to a " + marker->kind + " of furrow's, not to a " + kind_ +
+                    "; choose another --out");
+  }
+  const std::set<std::string> before = marker ? marker->files : std::set<std::string>();
+  std::set<std::string> all = before;
+  all.insert(files.begin(), files.end());
+  for (const std::string& file : all) refuse_what_is_in_the_way(directory_, file, before.contains(file));
+  // The marker of before still says whose the files are while they are removed.
+  if (earlier == Earlier::replaced) {
+    for (const std::string& file : before) discard(file);
+  }
+  files_ = earlier == Earlier::replaced ? std::set(files.begin(), files.end()) : all;
+  remove_unfinished_markers(directory_);
+  write_marker(running);
+  make_directories(files);
+}
+
+void OwnedDirectory::make_directories(const std::vector<std::string>& files) const {
+  for (const std::string& file : files) {
+    std::error_code failed;
+    const fs::path place = (directory_ / file).parent_path();
+    fs::create_directories(place, failed);
+    if (failed) throw FileError("cannot make " + place.string() + ": " + failed.message());
+  }
+}
+
+void OwnedDirectory::add(const std::vector<std::string>& files) {
+  for (const std::string& file : files) refuse_what_is_in_the_way(directory_, file, files_.contains(file));
+  files_.insert(files.begin(), files.end());
+  write_marker(running);
+  make_directories(files);
+}
+
+void OwnedDirectory::discard(const std::string& file) {
+  for (const char* ending : endings) {
+    if (is_there(directory_ / (file + ending))) remove_file(directory_ / (file + ending));
+  }
+  // A directory goes with its last file; one that holds more stays.
+  const std::vector<fs::path> between = directories_of(directory_, file);
+  for (auto place = between.rbegin(); place != between.rend(); ++place) rmdir(place->c_str());
+}
+
+void OwnedDirectory::conclude(const std::string& standing) {
+  std::erase_if(files_, [&](const std::string& file) {
+    return std::none_of(std::begin(endings), std::end(endings),
+                        [&](const char* ending) { return is_there(directory_ / (file + ending)); });
+  });
+  write_marker(standing);
+  concluded_ = true;
+}
+
+void OwnedDirectory::write_marker(const std::string& standing) const {
+  const ProcessIdentity self = this_process();
+  const Json json{{"program", "furrow"},
+                  {"kind", kind_},
+                  {"version", build_info().version},
+                  {"commit", build_info().commit},
+                  {"pid", self.pid},
+                  {"process_start", self.start},
+                  {"host", self.host},
+                  {"began", began_},
+                  {"standing", standing},
+                  {"files", files_}};
+  replace_file(directory_ / marker_name, json.dump(2) + "\n");
+}
+
+}  // namespace furrow
