@@ -1,12 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <map>
 
 #include "methods/method.h"
 #include "output/build_info.h"
 #include "program/commands.h"
+#include "program/signals.h"
 #include "scene/read.h"
 #include "system/prepare.h"
 
@@ -139,22 +141,34 @@ int parse_and_run(int argc, char** argv) {
   return report_command(reported);
 }
 
+int code_of(const std::function<int()>& work) {
+  const std::string error = "furrow: error: ";
+  try {
+    return work();
+  } catch (const SceneError& fault) {
+    return fail(fault.what(), bad_input);
+  } catch (const std::invalid_argument& fault) {
+    return fail(error + fault.what(), bad_input);
+  } catch (const Interrupted& request) {
+    return fail(std::string("furrow: ") + request.what(), interrupted);
+  } catch (const Divergence& fault) {
+    return fail(error + fault.what(), diverged);
+  } catch (const std::exception& fault) {
+    return fail(error + fault.what(), io_failed);
+  }
+}
+
+// What was to be printed and is lost makes any result one of input and output, but an interrupt stays one.
+int code_with_output(int code) {
+  const int printed = code_of([] { return flush_standard_output(), good; });
+  return printed == good || code == interrupted ? code : printed;
+}
+
 }  // namespace
 }  // namespace furrow
 
 int main(int argc, char** argv) {
-  const std::string error = "furrow: error: ";
-  try {
-    return furrow::parse_and_run(argc, argv);
-  } catch (const furrow::SceneError& fault) {
-    return furrow::fail(fault.what(), furrow::bad_input);
-  } catch (const std::invalid_argument& fault) {
-    return furrow::fail(error + fault.what(), furrow::bad_input);
-  } catch (const furrow::Interrupted&) {
-    return furrow::interrupted;
-  } catch (const furrow::Divergence& fault) {
-    return furrow::fail(error + fault.what(), furrow::diverged);
-  } catch (const std::exception& fault) {
-    return furrow::fail(error + fault.what(), furrow::io_failed);
-  }
+  furrow::watch_signals();
+  furrow::guard_standard_streams();
+  return furrow::code_with_output(furrow::code_of([&] { return furrow::parse_and_run(argc, argv); }));
 }

@@ -3,26 +3,18 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <csignal>
 #include <cstdio>
+
+#include "scene/interrupt.h"
 
 namespace furrow {
 namespace {
 
 constexpr const char* clear_line = "\r\033[K";
-volatile std::sig_atomic_t interrupted_once = 0;
-
-void note(int signal_number) {
-  interrupted_once = 1;
-  std::signal(signal_number, SIG_DFL);
-}
 
 }  // namespace
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
-}
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
   if (drawn_) std::fputs(clear_line, stderr);
@@ -40,7 +32,7 @@ bool Progress::show(const std::string& name, const std::string& doing, double do
       draw();
     }
   }
-  return interrupted_once == 0;
+  return !interrupt_requested();
 }
 
 void Progress::say(const std::string& line) {

@@ -1,4 +1,4 @@
-// Progress of one or more runs on one line of standard error, if that is a terminal; and the interrupt key.
+// Progress of one or more runs on one line of standard error, if that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -10,13 +10,12 @@ namespace furrow {
 
 class Progress {
  public:
-  // From now on an interrupt (or a request to terminate) is only noted; a second one ends the program at once.
   Progress();
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // False once there was an interrupt. Safe to call from several threads.
+  // False once an interrupt was requested. Safe to call from several threads.
   bool show(const std::string& name, const std::string& doing, double done, double total);
 
   // Prints a whole line to standard error without damage to the progress line.

@@ -6,6 +6,7 @@
 #include "methods/method.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "program/signals.h"
 #include "scene/read.h"
 #include "studies/scene_stability.h"
 
@@ -67,10 +68,12 @@ int stability_command(const StabilityOptions& options) {
     const bool named = std::find(wanted.begin(), wanted.end(), info.name) != wanted.end();
     if ((!named && !wanted.empty()) || (!named && !studies::has_stable_step(s, info))) continue;
     if (const std::string why = refusal(info, s.system); !why.empty()) throw std::invalid_argument(why);
+    throw_if_interrupted();
     const studies::StableStep step = studies::stable_step(s, info.name);
     const studies::Books books = studies::run_on(s, info.name, own);
     std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.slow).c_str(), seconds(step.measured).c_str());
     std::printf("%s; %s\n", verdict(step, own), energy_words(books).c_str());
+    flush_standard_output();
   }
   std::printf(
       "\npredicted  from the amplification factor over the spectrum, growth of more than 1e-5 a step, as furrow "

@@ -5,6 +5,7 @@
 
 #include "methods/method.h"
 #include "methods/wide.h"
+#include "scene/wording.h"
 #include "system/crossing.h"
 #include "system/stiffness.h"
 

@@ -1,67 +1,8 @@
 // The program from outside: exit codes, what goes to which stream, which files are left.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "program.h"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
+namespace furrow::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Result {
-  int code;
-  std::string out, err;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-class Program : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_program_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
-  // The program runs in a directory of its own; `before` goes in front of it ("timeout -s INT 1").
-  Result furrow(const std::string& arguments, const std::string& before = "") const {
-    const std::string command = "cd '" + directory_.string() + "' && " + before + " '" FURROW_PROGRAM "' " + arguments +
-                                " >stdout.txt 2>stderr.txt </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(directory_ / "stdout.txt"),
-            text_of(directory_ / "stderr.txt")};
-  }
-
-  static std::string scene(const std::string& name) {
-    return "'" FURROW_SOURCE_DIR "/validation/scenes/" + name + ".toml'";
-  }
-  static std::string bad_scene(const std::string& name) {
-    return "'" FURROW_SOURCE_DIR "/tests/bad_input/" + name + ".toml'";
-  }
-
-  std::vector<std::string> files(const std::string& below = ".") const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(directory_ / below)) {
-      const std::string name = entry.path().filename();
-      if (entry.is_regular_file() && name != "stdout.txt" && name != "stderr.txt") names.push_back(name);
-    }
-    return names;
-  }
-  bool has(const std::string& file) const { return fs::exists(directory_ / file); }
-
-  fs::path directory_;
-};
 
 TEST_F(Program, RunWritesEveryFileAndPrintsOnlyRunJson) {
   const Result r = furrow("run " + scene("scenario_1") + " --until 0.4 --out here");
@@ -174,38 +115,6 @@ TEST_F(Program, DivergedRunExitsThreeNamesTheCulpritAndKeepsTheLastGoodState) {
   EXPECT_TRUE(has("here/state.csv"));
   EXPECT_TRUE(has("here/plate_force.csv"));
   EXPECT_EQ(text_of(directory_ / "here/state.csv").find("nan"), std::string::npos);
-}
-
-TEST_F(Program, InterruptMarksFilesPartialAndExits130) {
-  const Result r = furrow("run " + scene("scenario_1") + " --until 1000 --out here", "timeout -s INT 0.5");
-  // timeout passes on its own code 124 unless told otherwise, so ask the files
-  EXPECT_TRUE(has("here/plate_force.csv.partial"));
-  EXPECT_FALSE(has("here/plate_force.csv"));
-  EXPECT_EQ(nlohmann::json::parse(text_of(directory_ / "here/run.json"))["ended"], "interrupted");
-  const Result code =
-      furrow("run " + scene("scenario_1") + " --until 1000 --out there", "timeout --preserve-status -s INT 0.5");
-  EXPECT_EQ(code.code, 130);
-}
-
-TEST_F(Program, ForeignDirectoryIsNotTouched) {
-  fs::create_directory(directory_ / "mine");
-  std::ofstream(directory_ / "mine/letter.txt") << "dear";
-  const Result r = furrow("run " + scene("scenario_1") + " --until 0.01 --out mine");
-  EXPECT_EQ(r.code, 4);
-  EXPECT_NE(r.err.find("choose another --out"), std::string::npos) << r.err;
-  EXPECT_EQ(files("mine"), std::vector<std::string>{"letter.txt"});
-}
-
-TEST_F(Program, EarlierRunIsReplaced) {
-  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.4 --out here").code, 0);
-  ASSERT_TRUE(has("here/frames/links_001.csv"));
-  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.01 --out here").code, 0);
-  EXPECT_FALSE(has("here/frames/links_001.csv"));
-}
-
-TEST_F(Program, UnwritablePlaceExitsFour) {
-  std::ofstream(directory_ / "file") << "x";
-  EXPECT_EQ(furrow("run " + scene("scenario_1") + " --until 0.01 --out file/below").code, 4);
 }
 
 TEST_F(Program, ExplainNamesWhatIsModelledLeftOutAndTheStableStep) {
@@ -326,3 +235,4 @@ TEST_F(Program, StabilityRefusesWhatHasNoLimit) {
 }
 
 }  // namespace
+}  // namespace furrow::test

@@ -1,0 +1,133 @@
+// A run is ended at a random moment in a way that it cannot help; then the same command again must succeed and give the
+// bits of a run that nothing ever happened to. FURROW_INJECTIONS is the number of each kind, 6 if it is not given; a
+// failure names the seed, and FURROW_INJECTION_SEED tries it again.
+#include <random>
+
+#include "program.h"
+
+namespace furrow::test {
+namespace {
+
+int number_in(const char* variable, int otherwise) {
+  const char* text = std::getenv(variable);
+  return text ? std::atoi(text) : otherwise;
+}
+
+// Scenes short enough to be run many times: a lattice that tears, and a bed that settles; both with pictures.
+class FaultInjection : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    std::string lattice = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml");
+    put("lattice.toml", lattice.replace(lattice.find("frames = ["), 10, "frames = [0.1, 0.2, "));
+    put("bed.toml",
+        "title = \"bed\"\n[model]\ngravity = 9.81\n[time]\nstep = 1e-4\nend = 0.4\n[settle]\nspeed = 0.05\nlimit = "
+        "20.0\n"
+        "[contact]\nfriction = 0.5\ndamping_factor = 5.0\n[[material]]\nname = \"sand\"\nyoung = 2e5\npoisson = 0.3\n"
+        "[[packing]]\nmaterial = \"sand\"\ncount = 30\nradius_min = 0.01\nradius_max = 0.012\n"
+        "lower_left = [0.0, 0.0]\nupper_right = [0.2, 0.4]\nseed = 1\n"
+        "[[wall]]\npoint = [0.0, 0.0]\nnormal = [0.0, 1.0]\nmaterial = \"sand\"\n"
+        "[[wall]]\npoint = [0.0, 0.0]\nnormal = [1.0, 0.0]\nmaterial = \"sand\"\n"
+        "[[wall]]\npoint = [0.2, 0.0]\nnormal = [-1.0, 0.0]\nmaterial = \"sand\"\n"
+        "[output]\ninterval = 1e-3\nframes = [0.0, 0.1, 0.2, 0.3, 0.4]\n");
+    for (const char* scene : {"lattice", "bed"}) {
+      const auto begun = std::chrono::steady_clock::now();
+      ASSERT_EQ(furrow(command(scene, scene + std::string("_whole"))).code, 0) << text("stderr.txt");
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+      whole_[scene] = {took.count(), bits(scene + std::string("_whole"))};
+    }
+  }
+
+  struct Whole {
+    double seconds;
+    std::map<std::string, std::string> bits;
+  };
+
+  static std::string command(const std::string& scene, const std::string& out) {
+    return "run " + scene + ".toml --out " + out;
+  }
+
+  // fault(scene, random) does its harm to a run into the directory `here`; afterwards all must be as if it had not.
+  template <class Fault>
+  void inject(const char* variable, const Fault& fault) {
+    const unsigned first = static_cast<unsigned>(number_in("FURROW_INJECTION_SEED", 1));
+    const bool one = std::getenv("FURROW_INJECTION_SEED") != nullptr;
+    const auto count = static_cast<unsigned>(one ? 1 : number_in(variable, 6));
+    for (unsigned seed = first; seed < first + count; ++seed) {
+      std::mt19937 random(seed);
+      const std::string scene = random() % 2 == 0 ? "lattice" : "bed";
+      put("here/notes.txt");  // refused, until furrow owns the directory
+      EXPECT_EQ(furrow(command(scene, "here")).code, 4);
+      fs::remove_all(directory_ / "here");
+      // Harm upon harm: what a fault leaves must stand another.
+      for (unsigned times = 1 + random() % 2; times > 0; --times) fault(scene, random);
+      if (has("here")) put("here/frames_of_mine/notes.txt");
+      const Result again = furrow(command(scene, "here"));
+      ASSERT_TRUE(again.code == 0 || (again.code == 4 && !has("here/.furrow.json"))) << "seed " << seed << again.err;
+      if (again.code == 4) {  // it was stopped before it had made the directory its own
+        fs::remove_all(directory_ / "here");
+        continue;
+      }
+      auto now = bits("here");
+      EXPECT_EQ(now.erase("frames_of_mine/notes.txt"), has("here/frames_of_mine/notes.txt") ? 1U : 0U);
+      EXPECT_EQ(now, whole_.at(scene).bits) << "seed " << seed;
+      fs::remove_all(directory_ / "here");
+    }
+  }
+
+  static double uniform(std::mt19937& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
+
+  std::map<std::string, Whole> whole_;
+};
+
+TEST_F(FaultInjection, ARunKilledAtAnyMomentRunsAgainToTheSameBits) {
+  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
+    Process run(directory_, started(command(scene, "here")));
+    std::this_thread::sleep_for(std::chrono::duration<double>(1.2 * whole_.at(scene).seconds * uniform(random)));
+    run.send(SIGKILL);
+    const int code = run.code();
+    EXPECT_TRUE(code == -SIGKILL || code == 0) << code;
+  });
+}
+
+TEST_F(FaultInjection, ARunAskedToStopAtAnyMomentRunsAgainToTheSameBits) {
+  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
+    const int number = std::vector<int>{SIGINT, SIGTERM, SIGHUP}[random() % 3];
+    Process run(directory_, started(command(scene, "here")));
+    ASSERT_TRUE(comes_true([&] { return run.has_ended() || run.hears(number); }));
+    std::this_thread::sleep_for(std::chrono::duration<double>(whole_.at(scene).seconds * uniform(random)));
+    run.send(number);
+    const int code = run.code();
+    EXPECT_TRUE(code == 130 || code == 0) << code;
+    if (code == 130 && has("here/run.json"))
+      EXPECT_EQ(nlohmann::json::parse(text("here/run.json"))["ended"], "interrupted");
+  });
+}
+
+// Files of this process may not grow beyond a random size: the series meet that, or a picture, or the marker.
+TEST_F(FaultInjection, ARunOnADiskThatFillsUpRunsAgainToTheSameBits) {
+  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
+    const unsigned blocks = random() % 100;  // of 512 bytes
+    const Result r = furrow(command(scene, "here"), "ulimit -f " + std::to_string(blocks) + ";");
+    EXPECT_TRUE(r.code == 4 || r.code == 0) << r.code << r.err;
+    if (r.code == 4 && !r.err.empty()) EXPECT_NE(r.err.find("File too large"), std::string::npos) << r.err;
+  });
+}
+
+TEST_F(FaultInjection, ARunWhoseReaderIsGoneRunsAgainToTheSameBits) {
+  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& /*random*/) {
+    EXPECT_EQ(code_of_line(command(scene, "here") + " >/dev/full 2>&1"), 4);
+  });
+}
+
+// With so little memory some part of it fails: reading, packing, searching, stepping.
+TEST_F(FaultInjection, ARunWithoutMemoryRunsAgainToTheSameBits) {
+  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
+    const unsigned kilobytes = 15000 + random() % 40000;
+    const Result r = furrow(command(scene, "here"), "ulimit -v " + std::to_string(kilobytes) + ";");
+    EXPECT_NE(r.code, 130);
+  });
+}
+
+}  // namespace
+}  // namespace furrow::test
