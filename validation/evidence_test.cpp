@@ -286,13 +286,12 @@ TEST(Evidence, AFaultThatWasNotNoticedOrNotTriedIsNamed) {
 TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
   Place place;
   const std::string path = std::getenv("PATH");
-  const fs::path svg = place.path / "x.svg";
-  for (const std::string& body : std::vector<std::string>{"", "echo '<svg' > " + svg.string()}) {
-    std::ofstream(svg) << "<svg>old</svg>";
+  for (const std::string body : {"", "echo '<svg'"}) {
+    Drawings drawings{{"x.svg", "<svg>old</svg>"}};
     std::ofstream(place.path / "gnuplot") << "#!/bin/sh\n" << body << "\nexit 0\n";
     fs::permissions(place.path / "gnuplot", fs::perms::owner_all);
     setenv("PATH", (place.path.string() + ":" + path).c_str(), 1);
-    EXPECT_THROW(draw({}, "plot x", svg, "x"), std::runtime_error) << body;
+    EXPECT_THROW(draw({}, "plot x", drawings, "x", "x"), std::runtime_error) << body;
     setenv("PATH", path.c_str(), 1);
   }
 }

@@ -1,8 +1,10 @@
 #include "output/checkpoint.h"
 
 #include <bit>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace furrow {
 namespace {
@@ -36,10 +38,9 @@ std::uint64_t fnv_1a(std::string_view bytes) {
 std::string all_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw FileError("cannot read " + file.string() + ": " + std::strerror(errno));
-  std::ostringstream out;
-  out << in.rdbuf();
-  if (in.bad() || out.bad()) throw FileError("cannot read all of " + file.string());
-  return std::move(out).str();
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (in.bad()) throw FileError("cannot read all of " + file.string());
+  return bytes;
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ void write_checkpoint(const std::filesystem::path& file, const std::vector<Check
   put(length, std::uint64_t{bytes.size() + tail});
   bytes.replace(magic.size() + 4, length.size(), length);
   put(bytes, fnv_1a(bytes));
-  OutputFile out(file);
+  OutputFile out = OutputFile::rewriting(file);
   out << bytes;
   out.finish();
 }

@@ -84,6 +84,12 @@ OutputFile OutputFile::replacing(const fs::path& file) {
   return {file, partial, descriptor, true};
 }
 
+OutputFile OutputFile::rewriting(const fs::path& file) {
+  const fs::path partial = partial_of(file);
+  if (is_regular(partial)) unlink(partial.c_str());
+  return {file, partial, made(partial), true};
+}
+
 OutputFile OutputFile::reopened(const fs::path& file, std::uint64_t bytes) {
   const fs::path partial = partial_of(file);
   if (!is_regular(partial) && is_regular(file)) fs::rename(file, partial);

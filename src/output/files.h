@@ -31,6 +31,10 @@ class OutputFile {
   // Takes the place of a regular file when it is finished; until then it has a name of its own.
   static OutputFile replacing(const std::filesystem::path& file);
 
+  // Takes the place of the owner's own file, in a directory that is its own: what a killed owner left of `file`.partial
+  // is removed.
+  static OutputFile rewriting(const std::filesystem::path& file);
+
   // Goes on with `file`.partial, or with the finished file, as it was when it had so many bytes.
   static OutputFile reopened(const std::filesystem::path& file, std::uint64_t bytes);
 

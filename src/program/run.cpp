@@ -45,7 +45,7 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
                  in_directory);
   if (outcome.ended == "interrupted")
     progress.say("furrow: " + name + " was " + outcome.reason + in_directory +
-                 ": its series end there and keep the ending .partial");
+                 ": the series that it had begun end there and keep the ending .partial");
   return outcome;
 }
 

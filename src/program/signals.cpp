@@ -19,7 +19,7 @@
 namespace furrow {
 namespace {
 
-constexpr timeval patience{0, 350'000};  // s, us; two of these, and the program ends within a second
+constexpr timeval patience{0, 250'000};  // s, us; after two of these the program ends
 
 // What a handler may do: no memory is taken, no lock.
 void say_in_handler(std::string_view text) {

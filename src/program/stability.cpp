@@ -7,6 +7,7 @@
 #include "program/commands.h"
 #include "program/progress.h"
 #include "program/signals.h"
+#include "scene/interrupt.h"
 #include "scene/read.h"
 #include "studies/scene_stability.h"
 

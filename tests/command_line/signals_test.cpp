@@ -8,8 +8,9 @@ class Signals : public Program {
  protected:
   // A bed that takes minutes to place or to settle.
   void put_large_bed(const std::string& count, const std::string& side, const std::string& more = "") const {
-    put("large.toml", "title = \"large\"\n[model]\ngravity = 9.81\n[time]\nstep = 1e-4\nend = 1.0\n" + more +
-                          "[contact]\nfriction = 0.5\n[[material]]\nname = \"sand\"\nyoung = 1e6\npoisson = 0.3\n"
+    put("large.toml", "title = \"large\"\n[model]\ngravity = 9.81\n[time]\nstep = 1e-5\nend = 1.0\n" + more +
+                          "[contact]\nfriction = 0.5\ndamping_factor = 1.0\n[[material]]\nname = \"sand\"\nyoung = "
+                          "1e8\npoisson = 0.3\n"
                           "[[packing]]\nmaterial = \"sand\"\ncount = " +
                           count + "\nradius_min = 0.01\nradius_max = 0.01\nlower_left = [0.0, 0.0]\nupper_right = [" +
                           side + ", " + side +
@@ -36,29 +37,31 @@ class Signals : public Program {
 };
 
 TEST_F(Signals, EachOfThemEndsARunWellAndIsNamed) {
-  for (const auto& [number, name] : {std::pair{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}) {
-    Process run(directory_, started("run " + scene("scenario_1") + " --until 1000 --out here"));
-    ASSERT_TRUE(comes_true([&] { return lines_of(directory_ / "here/plate_force.csv.partial") > 3; }));
+  for (const auto& [number, name] :
+       {std::pair{SIGINT, std::string("SIGINT")}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}) {
+    Process run(directory_, started("run " + scene("scenario_1") + " --until 1000 --out " + name));
+    const fs::path force = directory_ / name / "plate_force.csv.partial";
+    ASSERT_TRUE(comes_true([&] { return lines_of(force) > 3; }));
     run.send(number);
     EXPECT_EQ(run.code(), 130);
-    EXPECT_NE(text("stderr.txt").find(std::string("was interrupted by ") + name + " in here"), std::string::npos)
+    EXPECT_NE(text("stderr.txt").find("was interrupted by " + name + " in " + name), std::string::npos)
         << text("stderr.txt");
-    const auto json = nlohmann::json::parse(text("here/run.json"));
+    const auto json = nlohmann::json::parse(text(name + "/run.json"));
     EXPECT_EQ(json["ended"], "interrupted");
-    EXPECT_EQ(json["reason"], std::string("interrupted by ") + name);
+    EXPECT_EQ(json["reason"], "interrupted by " + name);
     // What grows with the run is not complete, what is whole in itself is.
     for (const char* file :
          {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "run.pvd", "frames/frames.csv"}) {
-      EXPECT_TRUE(has("here/" + std::string(file) + ".partial")) << file;
-      EXPECT_FALSE(has("here/" + std::string(file))) << file;
-      EXPECT_EQ(text("here/" + std::string(file) + ".partial").back(), '\n') << file;
+      EXPECT_TRUE(has(name + "/" + file + ".partial")) << file;
+      EXPECT_FALSE(has(name + "/" + file)) << file;
+      EXPECT_EQ(text(name + "/" + file + ".partial").back(), '\n') << file;
     }
     for (const char* file : {"state.csv", "scene.toml", "run.json", "frames/discs_000.vtp"}) {
-      EXPECT_TRUE(has("here/" + std::string(file))) << file;
-      EXPECT_FALSE(has("here/" + std::string(file) + ".partial")) << file;
+      EXPECT_TRUE(has(name + "/" + file)) << file;
+      EXPECT_FALSE(has(name + "/" + file + ".partial")) << file;
     }
-    EXPECT_NE(text("here/run.pvd.partial").find("</VTKFile>"), std::string::npos);
-    EXPECT_NE(text("here/.furrow.json").find("\"interrupted\""), std::string::npos);
+    EXPECT_NE(text(name + "/run.pvd.partial").find("</VTKFile>"), std::string::npos);
+    EXPECT_NE(text(name + "/.furrow.json").find("\"interrupted\""), std::string::npos);
   }
 }
 

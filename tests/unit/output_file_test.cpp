@@ -136,6 +136,17 @@ TEST_F(OutputFiles, WhatReplacesIsWholeOrNotThere) {
   EXPECT_EQ(text_of(directory_ / "kept.json"), "new");
 }
 
+TEST_F(OutputFiles, AnOwnersOwnMayBeRewritten) {
+  for (const std::string text : {"one", "two"}) {
+    put("own.partial", "of one that was killed");
+    OutputFile file = OutputFile::rewriting(directory_ / "own");
+    file << text;
+    file.finish();
+    EXPECT_EQ(text_of(directory_ / "own"), text);
+    EXPECT_FALSE(fs::exists(directory_ / "own.partial"));
+  }
+}
+
 TEST_F(OutputFiles, ManyAreCountedWhileTheyAreWritten) {
   const int before = files_being_written();
   {

@@ -182,7 +182,8 @@ std::vector<Json> run_tasks(const std::string& study, const Settings& settings, 
   work();
   others.clear();
   if (broken) std::rethrow_exception(broken);
-  if (stopped) throw Interrupted("interrupted; the runs that ended are kept");
+  if (stopped)
+    throw Interrupted(interrupt_words() + (settings.directory.empty() ? "" : "; the runs that ended are kept"));
   return results;
 }
 

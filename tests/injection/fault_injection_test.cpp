@@ -1,17 +1,12 @@
 // A run is ended at a random moment in a way that it cannot help; then the same command again must succeed and give the
-// bits of a run that nothing ever happened to. FURROW_INJECTIONS is the number of each kind, 6 if it is not given; a
-// failure names the seed, and FURROW_INJECTION_SEED tries it again.
+// bits of a run that nothing ever happened to. A few of each kind, with FURROW_LONG many. A failure names its seed;
+// FURROW_INJECTION_SEED tries it again.
 #include <random>
 
-#include "program.h"
+#include "tests/command_line/program.h"
 
 namespace furrow::test {
 namespace {
-
-int number_in(const char* variable, int otherwise) {
-  const char* text = std::getenv(variable);
-  return text ? std::atoi(text) : otherwise;
-}
 
 // Scenes short enough to be run many times: a lattice that tears, and a bed that settles; both with pictures.
 class FaultInjection : public Program {
@@ -49,10 +44,10 @@ class FaultInjection : public Program {
 
   // fault(scene, random) does its harm to a run into the directory `here`; afterwards all must be as if it had not.
   template <class Fault>
-  void inject(const char* variable, const Fault& fault) {
-    const unsigned first = static_cast<unsigned>(number_in("FURROW_INJECTION_SEED", 1));
-    const bool one = std::getenv("FURROW_INJECTION_SEED") != nullptr;
-    const auto count = static_cast<unsigned>(one ? 1 : number_in(variable, 6));
+  void inject(const Fault& fault) {
+    const char* seed_given = std::getenv("FURROW_INJECTION_SEED");
+    const unsigned first = seed_given ? static_cast<unsigned>(std::atoi(seed_given)) : 1;
+    const unsigned count = seed_given ? 1 : std::getenv("FURROW_LONG") ? 200 : 4;
     for (unsigned seed = first; seed < first + count; ++seed) {
       std::mt19937 random(seed);
       const std::string scene = random() % 2 == 0 ? "lattice" : "bed";
@@ -60,7 +55,7 @@ class FaultInjection : public Program {
       EXPECT_EQ(furrow(command(scene, "here")).code, 4);
       fs::remove_all(directory_ / "here");
       // Harm upon harm: what a fault leaves must stand another.
-      for (unsigned times = 1 + random() % 2; times > 0; --times) fault(scene, random);
+      for (unsigned long times = 1 + random() % 2; times > 0; --times) fault(scene, random);
       if (has("here")) put("here/frames_of_mine/notes.txt");
       const Result again = furrow(command(scene, "here"));
       ASSERT_TRUE(again.code == 0 || (again.code == 4 && !has("here/.furrow.json"))) << "seed " << seed << again.err;
@@ -81,7 +76,7 @@ class FaultInjection : public Program {
 };
 
 TEST_F(FaultInjection, ARunKilledAtAnyMomentRunsAgainToTheSameBits) {
-  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
+  inject([&](const std::string& scene, std::mt19937& random) {
     Process run(directory_, started(command(scene, "here")));
     std::this_thread::sleep_for(std::chrono::duration<double>(1.2 * whole_.at(scene).seconds * uniform(random)));
     run.send(SIGKILL);
@@ -91,7 +86,7 @@ TEST_F(FaultInjection, ARunKilledAtAnyMomentRunsAgainToTheSameBits) {
 }
 
 TEST_F(FaultInjection, ARunAskedToStopAtAnyMomentRunsAgainToTheSameBits) {
-  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
+  inject([&](const std::string& scene, std::mt19937& random) {
     const int number = std::vector<int>{SIGINT, SIGTERM, SIGHUP}[random() % 3];
     Process run(directory_, started(command(scene, "here")));
     ASSERT_TRUE(comes_true([&] { return run.has_ended() || run.hears(number); }));
@@ -99,31 +94,34 @@ TEST_F(FaultInjection, ARunAskedToStopAtAnyMomentRunsAgainToTheSameBits) {
     run.send(number);
     const int code = run.code();
     EXPECT_TRUE(code == 130 || code == 0) << code;
-    if (code == 130 && has("here/run.json"))
+    if (code == 130 && has("here/run.json")) {
       EXPECT_EQ(nlohmann::json::parse(text("here/run.json"))["ended"], "interrupted");
+    }
   });
 }
 
 // Files of this process may not grow beyond a random size: the series meet that, or a picture, or the marker.
 TEST_F(FaultInjection, ARunOnADiskThatFillsUpRunsAgainToTheSameBits) {
-  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
-    const unsigned blocks = random() % 100;  // of 512 bytes
+  inject([&](const std::string& scene, std::mt19937& random) {
+    const unsigned long blocks = random() % 100;  // of 512 bytes
     const Result r = furrow(command(scene, "here"), "ulimit -f " + std::to_string(blocks) + ";");
     EXPECT_TRUE(r.code == 4 || r.code == 0) << r.code << r.err;
-    if (r.code == 4 && !r.err.empty()) EXPECT_NE(r.err.find("File too large"), std::string::npos) << r.err;
+    if (r.code == 4 && !r.err.empty()) {
+      EXPECT_NE(r.err.find("File too large"), std::string::npos) << r.err;
+    }
   });
 }
 
 TEST_F(FaultInjection, ARunWhoseReaderIsGoneRunsAgainToTheSameBits) {
-  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& /*random*/) {
+  inject([&](const std::string& scene, std::mt19937& /*random*/) {
     EXPECT_EQ(code_of_line(command(scene, "here") + " >/dev/full 2>&1"), 4);
   });
 }
 
 // With so little memory some part of it fails: reading, packing, searching, stepping.
 TEST_F(FaultInjection, ARunWithoutMemoryRunsAgainToTheSameBits) {
-  inject("FURROW_INJECTIONS", [&](const std::string& scene, std::mt19937& random) {
-    const unsigned kilobytes = 15000 + random() % 40000;
+  inject([&](const std::string& scene, std::mt19937& random) {
+    const unsigned long kilobytes = 15000 + random() % 40000;
     const Result r = furrow(command(scene, "here"), "ulimit -v " + std::to_string(kilobytes) + ";");
     EXPECT_NE(r.code, 130);
   });
