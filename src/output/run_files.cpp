@@ -44,8 +44,8 @@ void write_state(const fs::path& directory, const System& system, double t, cons
   OutputFile file(directory / "state.csv",
                   "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]");
   for (int i = 0; i < parts.disc.count(); ++i) {
-    file.row("disc", i, y[system.x_of(i)], y[system.y_of(i)], y[system.vx_of(i)], y[system.vy_of(i)],
-             system.spin(y, i), parts.disc.radius[i], von_mises(stress[i]));
+    file.row("disc", i, y[system.x_of(i)], y[system.y_of(i)], y[system.vx_of(i)], y[system.vy_of(i)], system.spin(y, i),
+             parts.disc.radius[i], von_mises(stress[i]));
   }
   for (int n = 0; n < parts.node.count(); ++n) {
     file.row(parts.node.body[n] < 0 ? "fixed node" : "node", n, nodes.x[n], nodes.y[n], nodes.vx[n], nodes.vy[n], "",
@@ -66,19 +66,12 @@ RunOutcome run_in_own_directory(const RunRequest& request) {
   write_text(request.directory / "scene.toml", canonical_text(asked));
 
   const BuildInfo& build = build_info();
-  nlohmann::ordered_json json{{"scene", request.scene_file},
-                              {"title", asked.title},
-                              {"scene_hash", hexadecimal(scene_hash(asked))},
-                              {"commit", build.commit},
-                              {"compiler", build.compiler},
-                              {"flags", build.flags},
-                              {"build_type", build.build_type},
-                              {"sources", build.sources},
-                              {"machine", processor_name()},
-                              {"method", time.method},
-                              {"step", time.step},
-                              {"end", time.end},
-                              {"seed", nlohmann::json::array()}};
+  nlohmann::ordered_json json{
+      {"scene", request.scene_file},    {"title", asked.title},       {"scene_hash", hexadecimal(scene_hash(asked))},
+      {"commit", build.commit},         {"compiler", build.compiler}, {"flags", build.flags},
+      {"build_type", build.build_type}, {"sources", build.sources},   {"machine", processor_name()},
+      {"method", time.method},          {"step", time.step},          {"end", time.end},
+      {"seed", nlohmann::json::array()}};
   for (const Packing& p : asked.packing) json["seed"].push_back(p.seed);
   const auto conclude = [&](const std::string& ended, const std::string& reason, double at) {
     json["ended"] = ended;
