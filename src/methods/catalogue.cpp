@@ -56,7 +56,7 @@ std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& t
     if (entry.info.name == name) return entry.make(tolerances);
     known.push_back(entry.info.name);
   }
-  throw std::invalid_argument("no method '" + name + "'" + did_you_mean(name, known) + "; there are " + joined(known));
+  throw std::invalid_argument("no method '" + name + "'" + did_you_mean(name, known) + "; see furrow methods");
 }
 
 std::string refusal(const MethodInfo& method, const OdeSystem& system) {

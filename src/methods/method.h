@@ -103,7 +103,7 @@ class Method {
 // All methods, own ones first.
 const std::vector<MethodInfo>& method_catalogue();
 
-// Throws std::invalid_argument that lists the names, the nearest one first, if there is no such method.
+// Throws std::invalid_argument that names the nearest one if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
 struct MethodEntry {

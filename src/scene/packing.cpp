@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "scene/interrupt.h"
@@ -13,7 +13,7 @@
 namespace furrow {
 namespace {
 
-constexpr int most_attempts = 20'000;  // for one disc
+constexpr int most_for_one = 20'000;  // attempts
 
 // Uniform in [0, 1) with 53 bits: std::uniform_real_distribution is not the same everywhere.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -67,7 +67,8 @@ bool free_of_parts(const Scene& scene, double x, double y, double radius) {
          });
 }
 
-void place(Scene& scene, const Packing& p, std::size_t index) {
+// False if the attempts that are left were not enough.
+bool place(Scene& scene, const Packing& p, std::size_t index, long& left) {
   std::mt19937_64 random(p.seed);
   PlacedDiscs placed(scene, p.radius_max);
   for (int n = 1; n <= p.count; ++n) {
@@ -77,34 +78,39 @@ void place(Scene& scene, const Packing& p, std::size_t index) {
     double x = 0, y = 0;
     bool found = false;
     throw_if_interrupted();
-    for (int attempt = 0; attempt < most_attempts && !found; ++attempt) {
+    for (int attempt = 0; attempt < most_for_one && !found; ++attempt) {
+      if (--left < 0) return false;
       x = p.lower_left.x + radius + width * uniform(random);
       y = p.lower_left.y + radius + height * uniform(random);
       found = placed.free(x, y, radius) && free_of_parts(scene, x, y, radius);
     }
     if (!found) {
-      throw std::runtime_error("packing " + std::to_string(index) + ": no room for disc " + std::to_string(n) + " of " +
-                               std::to_string(p.count) + " in its rectangle; make the rectangle higher");
+      throw NoRoom(index, "no room for disc " + std::to_string(n) + " of " + std::to_string(p.count) +
+                              " in its rectangle; make the rectangle higher");
     }
     scene.disc.push_back({.position = {x, y}, .radius = radius, .velocity = {}, .spin = 0, .material = p.material});
     placed.add(scene.disc.back());
   }
   // A large bed is numbered by place, so that neighbours are near in memory.
-  if (p.count <= NeighbourSearch::discs_a_chunk) return;
+  if (p.count <= NeighbourSearch::discs_a_chunk) return true;
   const auto before = [&](const Disc& d, const Disc& e) {
     const double column_d = std::floor(d.position.x / p.radius_max), column_e = std::floor(e.position.x / p.radius_max);
     return column_d != column_e ? column_d < column_e : d.position.y < e.position.y;
   };
   std::stable_sort(scene.disc.end() - p.count, scene.disc.end(), before);
+  return true;
 }
 
 }  // namespace
 
-Scene place_packings(const Scene& scene) {
+std::optional<Scene> place_packings(const Scene& scene, long most_attempts) {
   Scene placed = scene;
   placed.packing.clear();
-  for (std::size_t k = 0; k < scene.packing.size(); ++k) place(placed, scene.packing[k], k);
+  for (std::size_t k = 0; k < scene.packing.size(); ++k)
+    if (!place(placed, scene.packing[k], k, most_attempts)) return {};
   return placed;
 }
+
+Scene place_packings(const Scene& scene) { return *place_packings(scene, std::numeric_limits<long>::max()); }
 
 }  // namespace furrow

@@ -6,105 +6,71 @@
 #endif
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <concepts>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <map>
+#include <memory>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
 #include "scene/schema.h"
+#include "scene/toml_text.h"
+#include "scene/utf8.h"
 #include "scene/wording.h"
 
 namespace furrow {
-namespace {
 
-// All faults of one file, told in the order of its lines.
-class Faults {
+// What the reader of a file writes to, beside the scene.
+class FileReader {
  public:
-  explicit Faults(std::string file) : file_(std::move(file)) {}
-
-  void add(toml::source_position at, const std::string& path, const std::string& message) {
-    std::string text = path + (path.empty() ? "" : ": ") + message;
-    for (char& c : text) c = printable(c) ? c : '?';                          // keys in quotes may hold anything
-    faults_.emplace(at ? at : toml::source_position{1, 1}, std::move(text));  // an empty file has no places
+  FileReader(SceneFile& file, std::string_view text)
+      : file_(file),
+        safe_(safe_text(text, [&](TextPosition at, const char* message) { file.add(at.first, at.second, message); })) {
+    file.throw_if_wrong();
   }
 
-  void throw_if_any() const {
-    std::vector<std::string> messages;
-    for (const auto& [at, text] : faults_)
-      messages.push_back(file_ + ':' + std::to_string(at.line) + ':' + std::to_string(at.column) + ": error: " + text);
-    if (!messages.empty()) throw SceneError(std::move(messages));
+  // The value of this path was not taken.
+  void unread(toml::source_position at, const std::string& path, const std::string& message) {
+    file_.unread_.add(path);
+    file_.add(at ? at.line : 1, at ? at.column : 1,
+              path + (path.empty() ? "" : ": ") + message);  // an empty file has none
+  }
+
+  // A key that nobody knows, and the one that it may stand for.
+  void unknown(toml::source_position at, const std::string& path, const std::string& message,
+               const std::string& meant) {
+    unread(at, path, message);
+    if (!meant.empty()) file_.unread_.add(meant);
+  }
+
+  bool whole(const toml::node& node, std::string& text) const {
+    const toml::source_position at = node.source().begin;
+    return restore(safe_, {at.line, at.column}, text);
+  }
+
+  toml::table parsed() {
+    try {
+      return toml::parse(safe_.text);
+    } catch (const toml::parse_error& error) {
+      const std::string what(error.description());
+      const bool again = what.find("cannot redefine existing table") != std::string::npos;
+      unread(error.source().begin, "", "not TOML: " + what + (again ? "; tables of a list are headed [[...]]" : ""));
+      file_.throw_if_wrong();
+      throw;
+    }
   }
 
  private:
-  std::string file_;
-  std::multimap<toml::source_position, std::string> faults_;
+  SceneFile& file_;
+  SafeText safe_;
 };
 
-// The text as toml++ 3.3 can bear it: nothing but ASCII (it mishandles some other characters), so they are faults
-// outside comments and '?' in them; and no key of very many parts, since it deletes nested tables by recursion.
-std::string guarded(std::string_view text, Faults& faults) {
-  constexpr int most_dots = 16;                                 // in one key; a scene needs two
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
-  std::string safe(text);
-  std::string_view quote;  // what ends the string that i is in; empty outside strings
-  bool comment = false, told = false;
-  int dots = 0;
-  toml::source_index line = 1;
-  for (std::size_t i = 0, start = 0; i < safe.size(); ++i) {
-    const char c = safe[i];
-    const auto fault = [&](const char* message) {  // one a line
-      const auto column = static_cast<toml::source_index>(i - start + 1);
-      if (!std::exchange(told, true)) faults.add({line, column}, "", message);
-    };
-    if (static_cast<unsigned char>(c) >= 0x80) {
-      if (!comment) fault("only ASCII is accepted outside comments");
-      safe[i] = '?';
-    } else if (c == '\n') {
-      ++line, start = i + 1, dots = 0, comment = told = false;
-      if (quote.size() == 1) quote = {};
-    } else if (comment) {
-      continue;
-    } else if (!quote.empty()) {
-      const std::string_view rest = text.substr(i);
-      if (rest.starts_with(quote)) {
-        i += quote.size() - 1;
-        while (quote.size() == 3 && i + 1 < text.size() && text[i + 1] == c) ++i;  // of """"" two belong to the string
-        quote = {};
-      } else if (rest.starts_with("\\\\") || rest.starts_with("\\\"")) {
-        ++i;
-      }
-    } else if (c == '"' || c == '\'') {
-      const std::string_view triple = c == '"' ? "\"\"\"" : "'''";
-      quote = text.substr(i).starts_with(triple) ? triple : triple.substr(0, 1);
-      i += quote.size() - 1;
-    } else if (c == '=' || c == ',') {
-      dots = 0;
-    } else if (c == '.' && ++dots > most_dots) {
-      fault("a key of too many parts");
-    }
-    comment = comment || (c == '#' && quote.empty());
-  }
-  faults.throw_if_any();
-  return safe;
-}
-
-toml::table parsed(const std::string& text, Faults& faults) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    const std::string what(error.description());
-    const bool again = what.find("cannot redefine existing table") != std::string::npos;
-    faults.add(error.source().begin, "", "not TOML: " + what + (again ? "; tables of a list are headed [[...]]" : ""));
-    faults.throw_if_any();
-    throw;
-  }
-}
+namespace {
 
 std::string standing(const toml::node& node) {
   if (node.is_table()) return "a table";
@@ -122,10 +88,6 @@ std::string header_of(std::string path) {
   return path;
 }
 
-std::string in_brackets(std::string_view unit) {
-  return unit.empty() || unit == "-" ? "" : " [" + std::string(unit) + "]";
-}
-
 // A value in the file and what the schema says of it.
 struct Entry {
   const toml::node& node;
@@ -137,8 +99,8 @@ struct Entry {
 // Reads one table into one struct of the scene. It is the visitor that schema.h describes.
 class TableReader {
  public:
-  TableReader(const toml::table& table, std::string path, Faults& faults)
-      : table_(table), path_(std::move(path)), faults_(faults) {}
+  TableReader(const toml::table& table, std::string path, FileReader& file)
+      : table_(table), path_(std::move(path)), file_(file) {}
 
   void operator()(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
     if (const toml::node* node = find(key)) read({*node, path_of(key), unit, range}, field);
@@ -147,27 +109,31 @@ class TableReader {
   void required(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
     (*this)(key, field, unit, range);
     if (table_.contains(key)) return;
-    faults_.add(table_.source().begin, path_of(key), "missing, but required" + in_brackets(unit));
+    file_.unread(table_.source().begin, path_of(key), "missing, but required" + in_brackets(unit));
   }
 
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<std::pair<const char*, Enum>> choices) {
     const toml::node* node = find(key);
     if (!node) return;
-    const auto word = node->value_exact<std::string>();
+    auto word = node->value_exact<std::string>();
+    if (word) file_.whole(*node, *word);
     std::vector<std::string> words;
     for (const auto& [name, value] : choices) {
       if (word == name) return static_cast<void>(field = value);
       words.emplace_back(name);
     }
     const std::string got = word ? in_quotes(*word) + did_you_mean(*word, words) : standing(*node);
-    faults_.add(node->source().begin, path_of(key), "must be one of " + joined(words) + ", not " + got);
+    file_.unread(node->source().begin, path_of(key), "must be one of " + joined(words) + ", not " + got);
   }
 
   void refuse_unknown_keys() {
-    for (const auto& [key, node] : table_)
-      if (std::find(known_.begin(), known_.end(), key.str()) == known_.end())
-        faults_.add(key.source().begin, path_of(key), "unknown key" + nearest_or_all(key, known_));
+    for (const auto& [key, node] : table_) {
+      if (std::find(known_.begin(), known_.end(), key.str()) != known_.end()) continue;
+      const std::string meant = nearest_name(key, known_);
+      file_.unknown(key.source().begin, path_of(key), "unknown key" + nearest_or_all(key, known_),
+                    meant.empty() ? "" : path_of(meant));
+    }
   }
 
  private:
@@ -175,20 +141,16 @@ class TableReader {
   std::string path_of(std::string_view key) const { return path_ + (path_.empty() ? "" : ".") + std::string(key); }
 
   void fault(const Entry& entry, const std::string& message) {
-    faults_.add(entry.node.source().begin, entry.path, message);
+    file_.unread(entry.node.source().begin, entry.path, message);
   }
 
   void wrong_type(const Entry& e, const std::string& expected) {
     fault(e, "must be " + expected + in_brackets(e.unit) + ", not " + standing(e.node));
   }
 
-  bool within(const Range& range, const Entry& e, double number) {
-    const auto& [low, high, low_open, high_open] = range;
-    if ((low_open ? number > low : number >= low) && (high_open ? number < high : number <= high)) return true;
-    const std::string key = e.path.substr(e.path.rfind('.') + 1);
-    const std::string interval = shortest(low) + (low_open ? " < " : " <= ") + key + (high_open ? " < " : " <= ");
-    fault(e, shortest(number) + " is outside " + interval + shortest(high) + in_brackets(e.unit));
-    return false;
+  bool accepted(const Range& range, const Entry& e, double number) {
+    if (!within(range, number)) fault(e, outside(range, e.path, e.unit, number));
+    return within(range, number);
   }
 
   void read(const Entry& e, bool& field) {
@@ -198,15 +160,20 @@ class TableReader {
 
   void read(const Entry& e, std::string& field) {
     if (!e.node.is_string()) return wrong_type(e, "a string");
-    field = *e.node.value_exact<std::string>();
-    if (!std::all_of(field.begin(), field.end(), printable)) fault(e, "must hold printable ASCII characters only");
+    std::string text = *e.node.value_exact<std::string>();
+    const bool whole = file_.whole(e.node, text);
+    const std::string wrong = whole ? text_fault(text) : "must hold no control characters";
+    if (wrong.empty())
+      field = text;
+    else
+      fault(e, wrong);
   }
 
   void read(const Entry& e, double& field) {
     if (!e.node.is_number()) return wrong_type(e, "a number");
     const auto integer = e.node.value_exact<std::int64_t>();
     const double number = integer ? static_cast<double>(*integer) : *e.node.value_exact<double>();
-    if (within(e.range, e, number)) field = number;
+    if (accepted(e.range, e, number)) field = number;
   }
 
   template <std::integral Integer>
@@ -216,7 +183,7 @@ class TableReader {
     constexpr auto largest = static_cast<double>(std::numeric_limits<Integer>::max());
     Range range = e.range;
     if (range.high > largest) range.high = largest, range.high_open = false;
-    if (within(range, e, static_cast<double>(number))) field = static_cast<Integer>(number);
+    if (accepted(range, e, static_cast<double>(number))) field = static_cast<Integer>(number);
   }
 
   void read(const Entry& e, Vec2& field) {
@@ -244,21 +211,22 @@ class TableReader {
   void read(const Entry& e, Struct& field) {
     const toml::table* table = e.node.as_table();
     if (!table) return wrong_type(e, "one table, [" + header_of(e.path) + "]");
-    TableReader reader(*table, e.path, faults_);
+    TableReader reader(*table, e.path, file_);
     describe(reader, field);
     reader.refuse_unknown_keys();
   }
 
   const toml::table& table_;
   std::string path_;
-  Faults& faults_;
+  FileReader& file_;
   std::vector<std::string> known_;
 };
 
 // Where the value of a path stands, or else what holds it.
 toml::source_position position_of(std::string path, const toml::table& root) {
   for (std::size_t end; !path.empty(); path.resize(end == std::string::npos ? 0 : end)) {
-    if (const auto view = toml::at_path(root, path)) return view.node()->source().begin;
+    const auto view = toml::at_path(root, path);
+    if (view && view.node()->source().begin) return view.node()->source().begin;
     end = path.find_last_of(".[");
   }
   return {1, 1};
@@ -266,23 +234,22 @@ toml::source_position position_of(std::string path, const toml::table& root) {
 
 }  // namespace
 
-SceneError::SceneError(std::vector<std::string> messages)
-    : std::runtime_error(joined(messages, "\n")), messages_(std::move(messages)) {}
-
-Scene parse_scene(std::string_view text, const std::string& name) {
-  Faults faults(name);
-  const toml::table root = parsed(guarded(text, faults), faults);
-  Scene scene;
-  TableReader reader(root, "", faults);
-  describe(reader, scene);
+SceneFile SceneFile::parse(std::string_view text, const std::string& name) {
+  SceneFile file;
+  file.name_ = name;
+  FileReader all(file, text);
+  const auto root = std::make_shared<toml::table>(all.parsed());
+  TableReader reader(*root, "", all);
+  describe(reader, file.scene);
   reader.refuse_unknown_keys();
-  faults.throw_if_any();
-  for (const auto& [path, message] : problems_of(scene)) faults.add(position_of(path, root), path, message);
-  faults.throw_if_any();
-  return scene;
+  file.place_ = [root](const std::string& path) {
+    const toml::source_position at = position_of(path, *root);
+    return std::pair(at.line, at.column);
+  };
+  return file;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
+SceneFile SceneFile::read(const std::filesystem::path& file) {
   const std::string cannot = "cannot read scene " + in_quotes(file.string()) + ": ";
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw std::runtime_error(cannot + "it is a directory");
@@ -290,7 +257,7 @@ Scene read_scene(const std::filesystem::path& file) {
   if (!stream) throw std::runtime_error(cannot + std::generic_category().message(errno));
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   if (stream.bad()) throw std::runtime_error(cannot + "input error");
-  return parse_scene(text, file.string());
+  return parse(text, file.string());
 }
 
 }  // namespace furrow

@@ -3,11 +3,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "scene/findings.h"
 #include "scene/scene.h"
 
 namespace furrow {
@@ -22,16 +26,60 @@ class SceneError : public std::runtime_error {
   std::vector<std::string> messages_;
 };
 
-// A fault in what a scene says as a whole (an unknown material, a node outside its lattice, ...). `path` names the
-// place as in "lattice[0].node[2].row".
+// A fault in what a scene says. `path` names the place as in "lattice[0].node[2].row".
 struct Problem {
   std::string path;
   std::string message;
 };
 
-// Faults that no single key shows. Empty if the scene can be run. Used by the reader, and by whoever builds a scene in
-// code.
+// All that is wrong with a scene. Empty if it can be run. Used by the reader, and by whoever builds a scene in code.
 std::vector<Problem> problems_of(const Scene& scene);
+
+// What may be meant but is worth a look, one line each: parts that overlap at the start, keys without effect.
+std::vector<std::string> scene_warnings(const Scene& scene);
+
+// A scene file read as far as it can be, with the place of each value, so that what is found later can be told by it.
+class SceneFile {
+ public:
+  // Throws std::runtime_error if the file cannot be read, SceneError if it is not TOML.
+  static SceneFile read(const std::filesystem::path& file);
+  // The same from text; `name` stands for the file in messages.
+  static SceneFile parse(std::string_view text, const std::string& name);
+
+  Scene scene{};  // may be changed before it is judged
+
+  // The value of this path came from an option of the command line, by which messages name it.
+  void set_by_option(const std::string& path, const std::string& option) { options_[path] = option; }
+
+  // Looks at the scene as it is now. What hangs on values that could not be read is left unsaid.
+  void judge();
+
+  // Something else that is wrong: with a value, or with an option.
+  void fault(const std::string& path, const std::string& message);
+  void option_fault(const std::string& option, const std::string& message);
+
+  // Throws SceneError with all faults at once, those of options last.
+  void throw_if_wrong() const;
+  bool known(const std::string& path) const { return !unread_.touches(path); }
+
+ private:
+  struct Line {
+    std::uint32_t line, column;
+    std::string text;
+  };
+  friend class FileReader;
+  void add(std::uint32_t line, std::uint32_t column, const std::string& text) {
+    faults_.push_back({line, column, text});
+  }
+  std::string option_of(const Finding& finding) const;
+
+  std::string name_;
+  std::vector<Line> faults_{};
+  std::vector<std::string> option_faults_{};
+  std::map<std::string, std::string> options_{};  // by path
+  Unread unread_{};
+  std::function<std::pair<std::uint32_t, std::uint32_t>(const std::string& path)> place_{};  // line and column
+};
 
 // Throws SceneError with all faults at once; std::runtime_error if the file cannot be read.
 Scene read_scene(const std::filesystem::path& file);

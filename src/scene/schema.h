@@ -6,16 +6,10 @@
 // v.choice(key, field, {{"word", value}, ...})  for an enum.
 #pragma once
 
+#include "scene/range.h"
 #include "scene/scene.h"
 
 namespace furrow {
-
-struct Range {
-  double low = -infinity;
-  double high = infinity;
-  bool low_open = false;  // low itself is not accepted
-  bool high_open = false;
-};
 
 inline constexpr Range finite{-infinity, infinity, true, true};
 inline constexpr Range positive{0, infinity, true, true};
@@ -34,8 +28,8 @@ void describe(auto& v, Timing& t) {
   v.required("end", t.end, "s", positive);
   v.required("step", t.step, "s", positive);
   v("method", t.method);
-  v("relative_tolerance", t.relative_tolerance, "-", positive);
-  v("absolute_tolerance", t.absolute_tolerance, "m, m/s, rad/s", positive);
+  v("relative_tolerance", t.relative_tolerance, "-", Range{1e-14, 0.1});  // below it round-off is all that is left
+  v("absolute_tolerance", t.absolute_tolerance, "m, m/s, rad/s", Range{1e-18, 1});
   v("max_step", t.max_step, "s", positive);
   v.choice("locate", t.locate, {{"none", Locate::none}, {"tears", Locate::tears}, {"all", Locate::all}});
 }

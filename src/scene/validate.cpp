@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/findings.h"
 #include "scene/read.h"
 #include "scene/wording.h"
 
@@ -32,11 +33,11 @@ bool can_meet(Kind a, Kind b) { return a == disc || (a == plate && b >= fixed_la
 
 class Validator {
  public:
-  explicit Validator(const Scene& scene) : scene_(scene) {
+  Validator(const Scene& scene, Findings& found) : scene_(scene), found_(found) {
     for (const Material& material : scene.material) materials_.push_back(material.name);
   }
 
-  std::vector<Problem> problems() {
+  void judge() {
     check_timing();
     check_contact();
     check_all("material", scene_.material);
@@ -46,11 +47,12 @@ class Validator {
     check_all("wall", scene_.wall);
     check_all("lattice", scene_.lattice);
     check_motion();
-    return std::move(problems_);
   }
 
  private:
-  void fault(std::string path, std::string message) { problems_.push_back({std::move(path), std::move(message)}); }
+  void fault(const std::string& path, const std::string& message, const std::vector<std::string>& others = {}) {
+    found_.error(path, message, others);
+  }
 
   template <class T, class Action>
   static void each(std::string_view list, const std::vector<T>& items, const Action& action) {
@@ -61,21 +63,22 @@ class Validator {
   template <class Key>
   void once(std::map<Key, std::string>& told, const Key& key, const std::string& path) {
     const auto [first, fresh] = told.try_emplace(key, path);
-    if (!fresh) fault(path, "the same as " + first->second);
+    if (!fresh) fault(path, "the same as " + first->second, {first->second});
   }
 
   using Number = std::optional<double>;
   void not_both(const std::string& path, const char* a, const Number& a_given, const char* b, const Number& b_given) {
-    if (a_given && b_given) fault(path + '.' + b, std::string(a) + " is given too; give one of them");
+    if (a_given && b_given) fault(path + '.' + b, std::string(a) + " is given too; give one of them", {path + '.' + a});
   }
 
   void check_timing() {
     const double step = scene_.time.step, end = scene_.time.end;
-    if (step > end) fault("time.step", "longer than the whole run, whose end is " + shortest(end) + " s");
-    if (scene_.output.interval < step) fault("output.interval", "shorter than time.step, " + shortest(step) + " s");
+    if (step > end) fault("time.step", "longer than the whole run, whose end is " + shortest(end) + " s", {"time.end"});
+    if (scene_.output.interval < step)
+      fault("output.interval", "shorter than time.step, " + shortest(step) + " s", {"time.step"});
     double last = -1;
     each("output.frames", scene_.output.frames, [&](const std::string& path, double frame) {
-      if (frame > end) fault(path, "after the end of the run, " + shortest(end) + " s");
+      if (frame > end) fault(path, "after the end of the run, " + shortest(end) + " s", {"time.end"});
       if (frame <= last) fault(path, "not later than the frame before it");
       last = frame;
     });
@@ -95,8 +98,11 @@ class Validator {
   }
 
   void check_material(const std::string& path, const std::string& name) {
-    if (std::find(materials_.begin(), materials_.end(), name) == materials_.end())
-      fault(path, "no material is named " + in_quotes(name) + nearest_or_all(name, materials_));
+    if (std::find(materials_.begin(), materials_.end(), name) != materials_.end()) return;
+    std::vector<std::string> names;  // not judged if one of them could not be read
+    for (std::size_t i = 0; i < materials_.size(); ++i) names.push_back(item("material", i) + ".name");
+    if (names.empty()) names.emplace_back("material");
+    fault(path, "no material is named " + in_quotes(name) + nearest_or_all(name, materials_), names);
   }
 
   // Where two rigid parts touch, nothing could deform and there would be no force.
@@ -105,8 +111,10 @@ class Validator {
     if (std::none_of(scene_.material.begin(), scene_.material.end(), is_its)) return;
     for (const auto& [other, place] : rigid_)
       if (can_meet(other.first, kind) && rigid_pairs_.insert(std::minmax(material, other.second)).second)
-        fault(path, "rigid " + in_quotes(material) + " can meet rigid " + in_quotes(other.second) + " of " + place +
-                        ", where nothing would deform");
+        fault(path,
+              "rigid " + in_quotes(material) + " can meet rigid " + in_quotes(other.second) + " of " + place +
+                  ", where nothing would deform",
+              {place});
     rigid_.try_emplace({kind, material}, path);
   }
 
@@ -151,11 +159,14 @@ class Validator {
 
   void check(const std::string& path, const Packing& p) {
     const double side = std::min(p.upper_right.x - p.lower_left.x, p.upper_right.y - p.lower_left.y);
-    if (p.radius_min > p.radius_max) fault(path + ".radius_min", "above radius_max, " + shortest(p.radius_max) + " m");
+    if (p.radius_min > p.radius_max)
+      fault(path + ".radius_min", "above radius_max, " + shortest(p.radius_max) + " m", {path + ".radius_max"});
     if (p.seed > INT64_MAX) fault(path + ".seed", "above 2^63 - 1, the largest integer of TOML");
     if (p.count > 1) check_rigid(disc, p.material, path);  // its discs meet each other
-    if (side <= 0) return fault(path + ".upper_right", "must be above lower_left and to the right of it");
-    if (side < 2 * p.radius_max) fault(path + ".upper_right", "the rectangle is too small for a disc of radius_max");
+    const std::vector<std::string> hangs_on{path + ".lower_left", path + ".radius_max"};
+    if (side <= 0) return fault(path + ".upper_right", "must be above lower_left and to the right of it", hangs_on);
+    if (side < 2 * p.radius_max)
+      fault(path + ".upper_right", "the rectangle is too small for a disc of radius_max", hangs_on);
   }
 
   void check(const std::string& path, const Wall& wall) {
@@ -166,14 +177,16 @@ class Validator {
     const bool deep = plate.working_depth.has_value();
     not_both(path, "lower_edge", plate.lower_edge, "working_depth", plate.working_depth);
     if (!deep && !plate.lower_edge) fault(path, "one of lower_edge [m] and working_depth [m] is required");
-    if (deep && !has_discs()) fault(path + ".working_depth", "needs a [[disc]] or [[packing]]; or give lower_edge");
-    if (deep && !scene_.settle) fault(path + ".working_depth", "needs [settle]; or give lower_edge");
+    if (deep && !has_discs())
+      fault(path + ".working_depth", "needs a [[disc]] or [[packing]]; or give lower_edge", {"disc", "packing"});
+    if (deep && !scene_.settle) fault(path + ".working_depth", "needs [settle]; or give lower_edge", {"settle"});
   }
 
   void check(const std::string& path, const Lattice& l) {
     const auto check_index = [&](const std::string& where, int index, int count) {
       if (index < 0 || index >= count)
-        fault(where, std::to_string(index) + " is outside the lattice, whose last is " + std::to_string(count - 1));
+        fault(where, std::to_string(index) + " is outside the lattice, whose last is " + std::to_string(count - 1),
+              {path + ".rows", path + ".columns"});
     };
     const auto check_fixed = [&](const std::string& list, const std::vector<int>& lines, int count) {
       std::map<int, std::string> told;
@@ -190,16 +203,19 @@ class Validator {
       check_index(where + ".column", node.column, l.columns);
       once(told, std::pair(node.row, node.column), where);
       if (!has(l.fixed_rows, node.row) && !has(l.fixed_columns, node.column)) return;
-      if (node.velocity != Vec2{}) fault(where + ".velocity", "the node is fixed");
-      if (node.force != Vec2{}) fault(where + ".force", "the node is fixed");
+      const std::vector<std::string> hangs_on{where + ".row", where + ".column", path + ".fixed_rows",
+                                              path + ".fixed_columns"};
+      if (node.velocity != Vec2{}) fault(where + ".velocity", "the node is fixed", hangs_on);
+      if (node.force != Vec2{}) fault(where + ".force", "the node is fixed", hangs_on);
     });
   }
 
   bool has_discs() const { return !scene_.disc.empty() || !scene_.packing.empty(); }
 
   void check_motion() {
-    if (scene_.settle && scene_.model.gravity <= 0) fault("settle", "needs model.gravity > 0");
-    if (scene_.settle && !has_discs()) fault("settle", "there is no [[disc]] or [[packing]] to settle");
+    if (scene_.settle && scene_.model.gravity <= 0) fault("settle", "needs model.gravity > 0", {"model.gravity"});
+    if (scene_.settle && !has_discs())
+      fault("settle", "there is no [[disc]] or [[packing]] to settle", {"disc", "packing"});
     if (!has_discs() && std::all_of(scene_.lattice.begin(), scene_.lattice.end(), all_fixed))
       fault("", "nothing moves: there is no [[disc]], no [[packing]] and no [[lattice]] with a node that is not fixed");
   }
@@ -209,11 +225,32 @@ class Validator {
   std::map<std::pair<Kind, std::string>, std::string> rigid_;  // kind and rigid material -> first such part
   std::set<std::pair<std::string, std::string>> rigid_pairs_;  // told of
   std::map<std::pair<double, double>, std::string> places_;    // of discs
-  std::vector<Problem> problems_;
+  Findings& found_;
 };
 
 }  // namespace
 
-std::vector<Problem> problems_of(const Scene& scene) { return Validator(scene).problems(); }
+void judge_whole(const Scene& scene, Findings& found) { Validator(scene, found).judge(); }
+
+std::vector<Finding> findings_of(const Scene& scene, const Unread& unread) {
+  Findings found(unread);
+  judge_ranges(scene, found);
+  judge_whole(scene, found);
+  return found.list();
+}
+
+std::vector<Problem> problems_of(const Scene& scene) {
+  std::vector<Problem> problems;
+  for (const Finding& f : findings_of(scene))
+    if (!f.warning) problems.push_back({f.path, f.message});
+  return problems;
+}
+
+std::vector<std::string> scene_warnings(const Scene& scene) {
+  std::vector<std::string> lines;
+  for (const Finding& f : findings_of(scene))
+    if (f.warning) lines.push_back(f.path + (f.path.empty() ? "" : ": ") + f.message);
+  return lines;
+}
 
 }  // namespace furrow

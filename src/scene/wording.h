@@ -56,8 +56,8 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// `; did you mean "x"?` with the nearest of the known names, or nothing if more than a third of the letters is wrong.
-inline std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+// The nearest of the known names, or nothing if more than a third of the letters is wrong.
+inline std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
   std::string nearest;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& name : known) {
@@ -68,6 +68,12 @@ inline std::string did_you_mean(std::string_view word, const std::vector<std::st
     const std::size_t distance = edit_distance(word, name);
     if (distance < least) least = distance, nearest = name;
   }
+  return nearest;
+}
+
+// `; did you mean "x"?` with the nearest of the known names, or nothing.
+inline std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(word, known);
   return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
 }
 

@@ -21,12 +21,14 @@ std::string text_of(double value) {
 
 std::string text_of(const Vec2& v) { return '[' + text_of(v.x) + ", " + text_of(v.y) + ']'; }
 
+// Letters beyond ASCII stand as they are; controls, which no sound scene holds, by their number.
 std::string text_of(const std::string& value) {
   std::string text = "\"";
   for (const char c : value) {
     char code[8];
-    std::snprintf(code, sizeof code, "\\u%04X", static_cast<unsigned char>(c));
-    text += !printable(c) ? code : c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    const auto byte = static_cast<unsigned char>(c);
+    std::snprintf(code, sizeof code, "\\u%04X", byte);
+    text += byte < 0x20 || byte == 0x7F ? code : c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
   }
   return text + '"';
 }

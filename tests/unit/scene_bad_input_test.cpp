@@ -17,7 +17,7 @@ TEST(SceneReader, RefusesEveryBadInputForTheReasonInItsFirstLine) {
       {"missing_key",
        {"1:1: title: missing, but required", "2:1: time.step: missing, but required [s]",
         "5:1: disc[0].radius: missing, but required [m]", "5:1: disc[0].material: missing, but required"}},
-      {"not_ascii", {"2:17: only ASCII is accepted outside comments"}},
+      {"not_utf8", {"2:12: not UTF-8", "5:4: only ASCII is accepted outside strings and comments"}},
       {"not_toml", {"5:7: not TOML: Error while parsing key-value pair: expected value, saw '#'"}},
       {"nothing_moves",
        {"1:1: nothing moves: there is no [[disc]], no [[packing]] and no [[lattice]] with a node that is not fixed"}},

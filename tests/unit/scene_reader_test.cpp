@@ -164,11 +164,49 @@ TEST(SceneReader, ReportsSyntaxErrorsInTheSameForm) {
             Lines{"4:7: not TOML: Error while parsing key-value pair: cannot redefine existing floating-point 'end'"});
 }
 
-TEST(SceneReader, TakesAsciiOnlyOutsideComments) {
-  EXPECT_EQ(errors_with("a disc", "a d\xC3\xADsc"), Lines{"1:13: only ASCII is accepted outside comments"});
-  EXPECT_EQ(errors_with("radius", "radi\xC3\xBCs"), Lines{"11:5: only ASCII is accepted outside comments"});
-  EXPECT_EQ(errors_with("a disc", "a d\\u00EDsc"), Lines{"1:9: title: must hold printable ASCII characters only"});
-  EXPECT_EQ(errors_with("a disc falls\"", "a # disc\" # \xC3\xAD \xFF"), Lines{});
+TEST(SceneReader, TakesLettersOfAnyTongueInStringsAndComments) {
+  const auto title = [](const std::string& quoted) {
+    return parse_scene(changed(good, "\"a disc falls\"", quoted), "f").title;
+  };
+  const std::string umlaut = "\xC3\xBC", euro = "\xE2\x82\xAC", moon = "\xF0\x9F\x8C\x99";  // two, three and four bytes
+  EXPECT_EQ(title('"' + umlaut + "ber " + euro + moon + '"'), umlaut + "ber " + euro + moon);
+  EXPECT_EQ(title("'" + moon + "? ?" + umlaut + "'"), moon + "? ?" + umlaut);
+  EXPECT_EQ(title("\"\"\"" + umlaut + "\"\"\""), umlaut);
+  EXPECT_EQ(title("\"\\u00fc \\U0001F319 " + umlaut + "\""), umlaut + ' ' + moon + ' ' + umlaut);
+  EXPECT_EQ(title("\"plain\"  # " + euro + " \xFF"), "plain");
+  const std::string named =
+      changed(changed(good, "\"soft\"", '"' + umlaut + '"'), "material = \"soft\"", "material = '" + umlaut + "'");
+  EXPECT_EQ(parse_scene(named, "f").material.at(0).name, umlaut);
+}
+
+TEST(SceneReader, CountsLettersNotBytesInItsPlaces) {
+  EXPECT_EQ(errors_after("\"\xC3\xBC\" = 1"), Lines{"13:1: disc[0].?: unknown key; known: position, radius, velocity, "
+                                                    "spin, material"});
+  EXPECT_EQ(errors_after("[model]\ndisc_mass = \"\xC3\xBC\xC3\xBC\" # \xC3\xBC\n[search]\nmode = \"\xC3\xBC\""),
+            (Lines{"14:13: model.disc_mass: must be one of disc, sphere, not \"\xC3\xBC\xC3\xBC\"",
+                   "16:8: search.mode: must be one of cells, brute_force, not \"\xC3\xBC\""}));
+  EXPECT_EQ(
+      errors_with("title = \"a disc falls\"\n[time]\nend = 1.0",
+                  "title = '\xC3\xBC\xC3\xBC'\ntime = { step = 1e-4, title = '\xE2\x82\xAC', end = true }\n[search]"),
+      (Lines{"2:23: time.title: unknown key; known: end, step, method, relative_tolerance, absolute_tolerance, "
+             "max_step, locate",
+             "2:42: time.end: must be a number [s], not a boolean",
+             "4:1: search.step: unknown key; known: mode, skin, cell_size, threads"}));
+}
+
+TEST(SceneReader, RefusesBytesThatAreNotUtf8WithTheirPlace) {
+  for (const char* bytes : {"\xFF", "\xC3", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\x80"}) {
+    const Lines wrong = errors_with("a disc", std::string("a d") + bytes + "sc");
+    EXPECT_EQ(wrong, Lines{"1:13: not UTF-8"}) << bytes;
+  }
+  EXPECT_EQ(errors_with("radius", "radi\xC3\xBCs"), Lines{"11:5: only ASCII is accepted outside strings and comments"});
+}
+
+TEST(SceneReader, RefusesControlCharactersInTexts) {
+  for (const char* text : {"\\t", "\t", "\\u0007", "\\u007F", "\\u0085", "\xC2\x85", "\xE2\x80\xAE", "\xEF\xBB\xBF",
+                           "\t\xC3\xBC", "\\t\xC3\xBC", "\\u2028"})
+    EXPECT_EQ(errors_with("a disc", std::string("a d") + text), Lines{"1:9: title: must hold no control characters"})
+        << text;
 }
 
 // Each title ends before the comment, whatever quotes and backslashes are in it.

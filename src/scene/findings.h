@@ -1,0 +1,92 @@
+// What is found in a scene: faults, and what may be meant but is worth a warning.
+#pragma once
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace furrow {
+
+// Paths of what could not be read. What hangs on one of them is not judged: it would be judged by a default.
+class Unread {
+ public:
+  void add(const std::string& path) { paths_.insert(path); }
+  bool empty() const { return paths_.empty(); }
+
+  // Whether the path, something in it, or what holds it was not read. The scene itself has the path "".
+  bool touches(std::string path) const {
+    const auto begins = [&](const std::string& with) {
+      const auto next = paths_.lower_bound(with);
+      return next != paths_.end() && next->starts_with(with);
+    };
+    if (path.empty()) return !paths_.empty();
+    if (begins(path + '.') || begins(path + '[')) return true;
+    for (std::size_t end; !path.empty(); path.resize(end == std::string::npos ? 0 : end)) {
+      if (paths_.contains(path)) return true;
+      end = path.find_last_of(".[");
+    }
+    return false;
+  }
+
+ private:
+  std::set<std::string> paths_;
+};
+
+struct Finding {
+  std::string path;                   // as in "lattice[0].node[2].row"
+  std::string message;                // what is wrong, and what to do
+  std::vector<std::string> others{};  // further paths that it hangs on
+  bool warning = false;
+};
+
+class Findings {
+ public:
+  explicit Findings(Unread unread = {}) : unread_(std::move(unread)) {}
+
+  void error(const std::string& path, const std::string& message, const std::vector<std::string>& others = {}) {
+    add({path, message, others, false});
+  }
+  void warning(const std::string& path, const std::string& message, const std::vector<std::string>& others = {}) {
+    add({path, message, others, true});
+  }
+
+  // The value of this path is wrong: nothing else is said of it.
+  void refuse(const std::string& path, const std::string& message) {
+    error(path, message);
+    unread_.add(path);
+  }
+
+  bool known(const std::string& path) const { return !unread_.touches(path); }
+  bool any_error() const {
+    for (const Finding& f : list_)
+      if (!f.warning) return true;
+    return false;
+  }
+  const std::vector<Finding>& list() const { return list_; }
+
+ private:
+  void add(Finding f) {
+    for (const std::string& other : f.others)
+      if (!known(other)) return;
+    if (known(f.path)) list_.push_back(std::move(f));
+  }
+
+  Unread unread_;
+  std::vector<Finding> list_;
+};
+
+// Each of these looks at one side of a scene.
+void judge_ranges(const Scene& scene, Findings& found);   // every number within the range of its key, every text clean
+void judge_whole(const Scene& scene, Findings& found);    // keys that contradict each other, names that nothing has
+void judge_sizes(const Scene& scene, Findings& found);    // counts and bytes within their limits
+void judge_numbers(const Scene& scene, Findings& found);  // what is derived from the numbers is finite and positive
+void judge_start(const Scene& scene, Findings& found);    // where the parts stand at t = 0
+void judge_effects(const Scene& scene, Findings& found);  // what is given and changes nothing
+
+// All of them, one after the other.
+std::vector<Finding> findings_of(const Scene& scene, const Unread& unread = {});
+
+}  // namespace furrow
