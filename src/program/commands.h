@@ -13,17 +13,17 @@ enum ExitCode { good = 0, check_failed = 1, bad_input = 2, diverged = 3, io_fail
 
 struct RunOptions {
   std::string scene;
-  std::optional<std::string> method;
-  std::optional<double> step;   // s
-  std::optional<double> until;  // s
-  std::optional<Locate> locate;
-  std::optional<int> threads;
+  // What changes the scene, as it was given: what the texts must be stands in the scene's schema.
+  std::optional<std::string> method, step, until, locate, threads;
   std::string directory;  // empty: runs/<name of the scene>
 };
 
-// The scene with the changes from the command line. Throws SceneError for a bad file, std::invalid_argument for a bad
-// change.
+// The scene with the changes from the command line, judged as it will run. Throws SceneError with all that is wrong.
 Scene requested_scene(const RunOptions& options);
+
+// What `check` warns of in a scene file. Throws SceneError with all that is wrong, room for its packings included.
+std::vector<std::string> checked_warnings(const std::string& scene);
+int check_command(const std::vector<std::string>& scenes);
 
 int run_command(const RunOptions& options);
 int explain_command(const RunOptions& options);

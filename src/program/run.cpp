@@ -9,15 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "methods/method.h"
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/run_files.h"
 #include "page/report.h"
 #include "program/commands.h"
 #include "program/progress.h"
-#include "scene/read.h"
-#include "system/prepare.h"
 
 namespace furrow {
 namespace {
@@ -103,24 +100,6 @@ bool reused(const RunOptions& options, const Scene& scene) {
 }
 
 }  // namespace
-
-Scene requested_scene(const RunOptions& options) {
-  Scene scene = read_scene(options.scene);
-  if (options.method) scene.time.method = *options.method;
-  if (options.step) scene.time.step = *options.step;
-  if (options.threads) scene.search.threads = *options.threads;
-  if (options.locate) scene.time.locate = *options.locate;
-  if (options.until) {
-    scene.time.end = *options.until;
-    std::erase_if(scene.output.frames, [&](double t) { return t > scene.time.end; });
-  }
-  const MethodInfo method = make_method(scene.time.method)->info();  // throws if there is none of that name
-  if (method.conservative || method.dense_jacobian) {                // the others carry every scene
-    if (const std::string why = refusal(method, unsettled(scene)); !why.empty()) throw std::invalid_argument(why);
-  }
-  if (scene.time.step > scene.time.end) throw std::invalid_argument("the step is longer than the run");
-  return scene;
-}
 
 int run_command(const RunOptions& options) {
   Progress progress;

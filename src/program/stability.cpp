@@ -9,6 +9,7 @@
 #include "program/signals.h"
 #include "scene/interrupt.h"
 #include "scene/read.h"
+#include "scene/wording.h"
 #include "studies/scene_stability.h"
 
 namespace furrow {
@@ -55,7 +56,8 @@ int stability_command(const StabilityOptions& options) {
       throw std::invalid_argument(method + " chooses its own step: it has no largest stable one");
   }
   const Scene scene = requested_scene({.scene = options.scene});
-  if (options.at > scene.time.end) throw std::invalid_argument("--at is beyond the end of the scene");
+  if (!(options.at >= 0 && options.at <= scene.time.end))
+    throw std::invalid_argument("--at: must be from 0 to the end of the run, " + shortest(scene.time.end) + " s");
   Progress progress;
   const studies::Standing s = studies::standing_at(scene, options.at, [&](double done, double total) {
     return progress.show(options.scene, "running", done, total);

@@ -1,0 +1,30 @@
+// Says of scene files all that is wrong with them.
+#include <algorithm>
+#include <iostream>
+
+#include "program/commands.h"
+#include "scene/interrupt.h"
+#include "scene/read.h"
+
+namespace furrow {
+
+int check_command(const std::vector<std::string>& scenes) {
+  bool bad = false, unread = false;
+  for (const std::string& file : scenes) {
+    try {
+      for (const std::string& text : checked_warnings(file)) std::cerr << file << ": warning: " << text << "\n";
+      std::cout << file << ": ok\n";
+    } catch (const SceneError& error) {
+      bad = true;
+      std::cerr << error.what() << "\n";
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {  // cannot be read; the others are still checked
+      unread = true;
+      std::cerr << "furrow: error: " << error.what() << "\n";
+    }
+  }
+  return bad ? bad_input : unread ? io_failed : good;
+}
+
+}  // namespace furrow

@@ -1,0 +1,94 @@
+// The scene that a command is asked for: the file, then the options, then one judgement of what they make together.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "methods/method.h"
+#include "program/commands.h"
+#include "scene/packing.h"
+#include "scene/read.h"
+#include "scene/set_key.h"
+#include "scene/wording.h"
+#include "system/prepare.h"
+
+namespace furrow {
+namespace {
+
+struct Change {
+  const char* option;
+  const char* path;
+  const std::optional<std::string>& text;
+};
+
+std::array<Change, 5> changes_of(const RunOptions& o) {
+  return {{{"--method", "time.method", o.method},
+           {"--dt", "time.step", o.step},
+           {"--until", "time.end", o.until},
+           {"--locate", "time.locate", o.locate},
+           {"--threads", "search.threads", o.threads}}};
+}
+
+// What the schedule of the file cannot be under another end or step follows it: a run to an earlier end has no pictures
+// later than that, one with a longer step no rows between steps.
+void adapt_schedule(const RunOptions& options, Scene& scene) {
+  if (options.until) std::erase_if(scene.output.frames, [&](double t) { return t > scene.time.end; });
+  if (options.step && std::isfinite(scene.time.step))
+    scene.output.interval = std::max(scene.output.interval, scene.time.step);
+}
+
+void judge_method(SceneFile& file) {
+  if (!file.known("time.method")) return;
+  std::vector<std::string> names;
+  for (const MethodInfo& m : method_catalogue()) names.push_back(m.name);
+  const std::string& name = file.scene.time.method;
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    file.fault("time.method",
+               "no method is named " + in_quotes(name) + did_you_mean(name, names) + "; see furrow methods");
+}
+
+// The others carry every scene.
+void judge_fitness(SceneFile& file) {
+  const MethodInfo method = make_method(file.scene.time.method)->info();
+  if (!method.conservative && !method.dense_jacobian) return;
+  if (const std::string why = refusal(method, unsettled(file.scene)); !why.empty()) file.fault("time.method", why);
+  file.throw_if_wrong();
+}
+
+SceneFile changed_file(const RunOptions& options) {
+  SceneFile file = SceneFile::read(options.scene);
+  for (const auto& [option, path, text] : changes_of(options)) {
+    if (!text) continue;
+    const std::string fault = set_key(file.scene, path, *text);
+    if (!fault.empty()) file.option_fault(option, fault);
+    file.set_by_option(path, option);
+  }
+  adapt_schedule(options, file.scene);
+  judge_method(file);
+  file.judge();
+  file.throw_if_wrong();
+  return file;
+}
+
+}  // namespace
+
+Scene requested_scene(const RunOptions& options) {
+  SceneFile file = changed_file(options);
+  judge_fitness(file);
+  return std::move(file.scene);
+}
+
+std::vector<std::string> checked_warnings(const std::string& scene) {
+  SceneFile file = changed_file({.scene = scene});
+  std::vector<std::string> warnings = scene_warnings(file.scene);
+  try {
+    if (!place_packings(file.scene, most_attempts_of_a_check))
+      warnings.push_back("packing: whether its discs find room was not tried to the end");
+  } catch (const NoRoom& full) {
+    file.fault(item("packing", full.packing()), full.why());
+  }
+  file.throw_if_wrong();
+  judge_fitness(file);
+  return warnings;
+}
+
+}  // namespace furrow

@@ -1,0 +1,22 @@
+// What is wrong with a command line, in one line of our words.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace furrow {
+
+// The first word that is no command, or the first option that its command does not have, and the nearest that there is;
+// empty if all are known.
+std::string misspelt(const CLI::App& app, int argc, char** argv);
+
+// What CLI11 found wrong.
+std::string usage_fault(const CLI::App& app, const CLI::ParseError& error);
+
+// Accepts whole numbers from `low` to `high`.
+CLI::Validator whole_number(long low, long high);
+
+// Accepts numbers (s) that are finite and not negative.
+CLI::Validator moment();
+
+}  // namespace furrow
