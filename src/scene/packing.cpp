@@ -9,6 +9,7 @@
 
 #include "scene/interrupt.h"
 #include "system/search.h"
+#include "system/unit_vector.h"
 
 namespace furrow {
 namespace {
@@ -51,8 +52,8 @@ class PlacedDiscs {
 
 bool free_of_parts(const Scene& scene, double x, double y, double radius) {
   const auto off_wall = [&](const Wall& w) {
-    const double length = std::sqrt(w.normal.x * w.normal.x + w.normal.y * w.normal.y);
-    return nearest_on_wall(x, y, w.point.x, w.point.y, w.normal.x / length, w.normal.y / length).distance >= radius;
+    const Vec2 normal = unit_vector(w.normal);
+    return nearest_on_wall(x, y, w.point.x, w.point.y, normal.x, normal.y).distance >= radius;
   };
   const auto off_rectangle = [&](double left, double lower, double width, double height) {
     return nearest_on_rectangle(x, y, left, left + width, lower, lower + height).distance >= radius;

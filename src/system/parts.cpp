@@ -7,6 +7,7 @@
 
 #include "methods/floating_point.h"
 #include "physics/disc.h"
+#include "system/unit_vector.h"
 
 namespace furrow {
 namespace {
@@ -209,9 +210,8 @@ Parts make_parts(const Scene& scene) {
   add_discs(scene, parts);
   for (const Lattice& l : scene.lattice) LatticeBuilder(scene, l, parts).build();
   for (const Wall& w : scene.wall) {
-    const double length = std::sqrt(w.normal.x * w.normal.x + w.normal.y * w.normal.y);
-    parts.wall.push_back(
-        {w.point.x, w.point.y, w.normal.x / length, w.normal.y / length, index_of_material(scene, w.material)});
+    const Vec2 normal = unit_vector(w.normal);
+    parts.wall.push_back({w.point.x, w.point.y, normal.x, normal.y, index_of_material(scene, w.material)});
   }
   for (const Plate& p : scene.plate) {
     if (!p.lower_edge)
