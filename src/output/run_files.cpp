@@ -101,8 +101,10 @@ RunOutcome run_in_own_directory(const RunRequest& request) {
   json["settling_cpu_seconds"] = cpu_seconds() - began;
   json["surface"] = nullptr;
   if (prepared->surface) json["surface"] = *prepared->surface;
-  json["warnings"] = prepared->warnings;
-  for (const std::string& warning : prepared->warnings) request.warn(warning);
+  std::vector<std::string> warnings = scene_warnings(asked);
+  warnings.insert(warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
+  json["warnings"] = warnings;
+  for (const std::string& warning : warnings) request.warn(warning);
 
   const double cpu = cpu_seconds(), wall = wall_seconds();
   Validity validity(system, prepared->scene, [&](const std::string& text) {

@@ -183,6 +183,7 @@ int explain_command(const RunOptions& options) {
   Progress progress;
   std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
   const System system = unsettled(scene);
+  for (const std::string& text : scene_warnings(scene)) std::printf("warning: %s\n", text.c_str());
   print_modelled(scene, system);
   print_left_out(scene, system);
   print_not_needed(scene);

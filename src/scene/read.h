@@ -35,6 +35,9 @@ struct Problem {
 // All that is wrong with a scene. Empty if it can be run. Used by the reader, and by whoever builds a scene in code.
 std::vector<Problem> problems_of(const Scene& scene);
 
+// Only what is wrong with the places of its parts: plates whose height was found by settling are judged by this.
+std::vector<Problem> start_problems(const Scene& scene);
+
 // What may be meant but is worth a look, one line each: parts that overlap at the start, keys without effect.
 std::vector<std::string> scene_warnings(const Scene& scene);
 

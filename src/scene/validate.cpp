@@ -7,6 +7,7 @@
 #include "scene/findings.h"
 #include "scene/read.h"
 #include "scene/wording.h"
+#include "system/unit_vector.h"
 
 namespace furrow {
 namespace {
@@ -152,8 +153,10 @@ class Validator {
     const double x = disc.position.x, y = disc.position.y;
     once(places_, std::pair(x, y), path + ".position");
     each("wall", scene_.wall, [&](const std::string& its_path, const Wall& w) {
-      if ((x - w.point.x) * w.normal.x + (y - w.point.y) * w.normal.y < 0)
-        fault(path + ".position", "the centre is behind " + its_path);
+      if (w.normal == Vec2{}) return;
+      const Vec2 normal = unit_vector(w.normal);
+      if ((x - w.point.x) * normal.x + (y - w.point.y) * normal.y < 0)
+        fault(path + ".position", "the centre is behind " + its_path, {its_path});
     });
   }
 
@@ -236,12 +239,25 @@ std::vector<Finding> findings_of(const Scene& scene, const Unread& unread) {
   Findings found(unread);
   judge_ranges(scene, found);
   judge_whole(scene, found);
+  judge_sizes(scene, found);
+  judge_numbers(scene, found);
+  judge_start(scene, found);
+  judge_effects(scene, found);
   return found.list();
 }
 
 std::vector<Problem> problems_of(const Scene& scene) {
   std::vector<Problem> problems;
   for (const Finding& f : findings_of(scene))
+    if (!f.warning) problems.push_back({f.path, f.message});
+  return problems;
+}
+
+std::vector<Problem> start_problems(const Scene& scene) {
+  Findings found;
+  judge_start(scene, found);
+  std::vector<Problem> problems;
+  for (const Finding& f : found.list())
     if (!f.warning) problems.push_back({f.path, f.message});
   return problems;
 }

@@ -4,6 +4,7 @@
 
 #include "methods/floating_point.h"
 #include "scene/packing.h"
+#include "scene/read.h"
 #include "scene/wording.h"
 #include "system/observe.h"
 #include "system/run.h"
@@ -65,6 +66,12 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   return result;
 }
 
+// The plates at a working depth have a place now.
+void refuse_bad_start(const Scene& scene) {
+  for (const Problem& p : start_problems(scene))
+    throw std::invalid_argument("with its plates at their working depths: " + p.path + ": " + p.message);
+}
+
 }  // namespace
 
 System unsettled(Scene scene) {
@@ -96,6 +103,7 @@ Prepared prepare(const Scene& scene, const SettleProgress& progress) {
       p.working_depth.reset();
     }
   }
+  if (result.surface) refuse_bad_start(ready);
   result.scene = place_packings(ready);
   Settled bed = settle(result.scene, progress);
   bed.system.prepare(false);

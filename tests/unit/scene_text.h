@@ -66,7 +66,7 @@ inline Scene sound_scene() {
   s.material = {Material{.name = "soft", .young = 2e5, .poisson = 0.3}, Material{.name = "hard", .rigid = true}};
   s.disc = {Disc{.position = {0, 1}, .radius = 0.1, .material = "soft"}};
   s.wall = {Wall{.name = "floor", .material = "hard"}};
-  s.plate = {Plate{.name = "tool", .lower_edge = 1, .material = "hard"}};
+  s.plate = {Plate{.name = "tool", .left_edge = 0.5, .lower_edge = 1, .material = "hard"}};
   s.lattice = {Lattice{.name = "stem", .rows = 3, .columns = 2, .material = "soft", .fixed_rows = {0}}};
   return s;
 }

@@ -119,10 +119,10 @@ TEST(SceneValidation, WantsWallsWithANormalAndDiscsInFrontOfThem) {
             Lines{"disc[0].position: the centre is behind wall[0]"});
 }
 
-TEST(SceneValidation, RefusesTwoDiscsInOnePlaceButNotAnOverlap) {
+TEST(SceneValidation, RefusesTwoDiscsInOnePlaceButNotASmallOverlap) {
   EXPECT_EQ(problems([](Scene& s) { s.disc.push_back(s.disc[0]); }),
             Lines{"disc[1].position: the same as disc[0].position"});
-  EXPECT_EQ(problems([](Scene& s) { s.disc.push_back(s.disc[0]), s.disc[1].position.x = 0.01; }), Lines{});
+  EXPECT_EQ(problems([](Scene& s) { s.disc.push_back(s.disc[0]), s.disc[1].position.x = 0.11; }), Lines{});
 }
 
 TEST(SceneValidation, WantsARectangleThatHoldsADisc) {
@@ -216,6 +216,7 @@ TEST(SceneValidation, WantsPartsNamedOnceOfEachKind) {
   EXPECT_EQ(problems([](Scene& s) {
               s.wall[0].name = "";
               s.wall.push_back(s.wall[0]);
+              s.wall[1].normal = {1, 0}, s.wall[1].point = {-1, 0};
               s.plate[0].name = s.lattice[0].name;
             }),
             Lines{});

@@ -1,0 +1,74 @@
+// What a scene gives and what changes nothing in it, and lattices that cannot do what their links say.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "scene/findings.h"
+#include "scene/wording.h"
+
+namespace furrow {
+namespace {
+
+constexpr int threaded_discs = 4096;  // a smaller bed is no work for two threads
+
+void judge_keys(const Scene& s, Findings& found) {
+  const Scene defaults;
+  double discs = static_cast<double>(s.disc.size());
+  for (const Packing& p : s.packing) discs += p.count;
+  const auto idle = [&](bool given, bool without, const char* path, const char* why) {
+    if (given && without) found.warning(path, std::string("has no effect: ") + why);
+  };
+  idle(s.model.disc_depth != defaults.model.disc_depth, s.model.disc_mass == DiscMass::sphere, "model.disc_depth",
+       "the masses are those of spheres");
+  idle(s.search.threads > 1, discs <= threaded_discs, "search.threads", "it is for beds of more than 4096 discs");
+  const bool brute = s.search.mode == SearchMode::brute_force;
+  idle(s.search.cell_size > 0, brute, "search.cell_size", "search.mode is brute_force");
+  bool rolls = s.contact.rolling_friction > 0;
+  for (const ContactPair& p : s.contact.pair) rolls = rolls || p.rolling_friction.value_or(0) > 0;
+  idle(s.model.rolling_smoothing != defaults.model.rolling_smoothing, !rolls, "model.rolling_smoothing",
+       "nothing has rolling friction");
+}
+
+void judge_materials(const Scene& s, Findings& found) {
+  std::set<std::string> used;
+  for (const Disc& d : s.disc) used.insert(d.material);
+  for (const Packing& p : s.packing) used.insert(p.material);
+  for (const Wall& w : s.wall) used.insert(w.material);
+  for (const Plate& p : s.plate) used.insert(p.material);
+  for (const Lattice& l : s.lattice) used.insert(l.material);
+  for (std::size_t i = 0; i < s.material.size(); ++i)
+    if (!used.contains(s.material[i].name)) found.warning(item("material", i), "no part is of it");
+}
+
+void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Findings& found) {
+  const auto acts = [](const LinkKind& k) { return k.stiffness > 0 || k.damping > 0; };
+  const bool strand = l.rows == 1 || l.columns == 1;
+  if (l.gravity && s.model.gravity == 0) found.warning(path + ".gravity", "has no effect: model.gravity is 0");
+  if (acts(l.bending) && l.rows < 3 && l.columns < 3)
+    found.warning(path + ".bending", "makes no links: there are fewer than 3 rows and fewer than 3 columns");
+  else if (acts(l.bending) && strand)
+    found.warning(path + ".bending",
+                  "a strand of one row has no stiffness across itself: its bending links lie along it");
+  if (acts(l.shear) && strand) found.warning(path + ".shear", "makes no links: there is one row or one column");
+  if (acts(l.structural) && l.rows * l.columns == 1) found.warning(path + ".structural", "makes no links of one node");
+  const bool held = !l.fixed_rows.empty() && !l.fixed_columns.empty();
+  if (!strand && !held && l.structural.stiffness > 0 && l.shear.stiffness == 0)
+    found.warning(path, "without stiffness of its shear links it folds up freely");
+  for (const auto& [kind, k] :
+       {std::pair{".structural", &l.structural}, {".shear", &l.shear}, {".bending", &l.bending}})
+    if (k->stiffness == 0 && k->strength < infinity)
+      found.warning(path + kind + ".strength", "has no effect: there is no spring force without stiffness");
+}
+
+}  // namespace
+
+void judge_effects(const Scene& scene, Findings& found) {
+  if (found.any_error()) return;
+  judge_keys(scene, found);
+  judge_materials(scene, found);
+  for (std::size_t i = 0; i < scene.lattice.size(); ++i)
+    judge_lattice(item("lattice", i), scene.lattice[i], scene, found);
+}
+
+}  // namespace furrow

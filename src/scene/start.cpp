@@ -1,0 +1,312 @@
+// Where the parts of a scene stand at t = 0, for every pair of kinds.
+//
+// A fault is what cannot be: two discs deeper in each other than the smaller radius; the centre of a disc behind a
+// wall, in a plate or in a lattice, or on a lattice's border, where no direction leads out; nodes of a lattice in one
+// place; a node deeper than a tenth of its contact radius in a plate or, if it can move, behind a wall; a wall or a
+// plate given twice, whose stiffness would count twice. A lesser overlap, and parts that feel nothing of each other,
+// may be meant: a warning.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scene/border.h"
+#include "scene/findings.h"
+#include "scene/wording.h"
+#include "system/geometry.h"
+#include "system/grid.h"
+#include "system/unit_vector.h"
+
+namespace furrow {
+namespace {
+
+constexpr double touch = 1e-9;      // of a size: rounding of places that are meant to touch
+constexpr double node_depth = 0.1;  // of the contact radius
+constexpr int most_told = 5;        // faults of one kind
+constexpr double most_pairs = 1e7;  // of border nodes of two lattices
+
+std::string metres(double length) { return shortest(length) + " m"; }
+
+class StartJudge {
+ public:
+  StartJudge(const Scene& scene, Findings& found) : scene_(scene), found_(found) {
+    for (const Lattice& l : scene.lattice) lattice_.push_back(std::make_unique<StandingLattice>(l));
+    for (const Wall& w : scene.wall) normal_.push_back(unit_vector(w.normal));
+  }
+
+  void judge() {
+    judge_discs();
+    for (std::size_t i = 0; i < scene_.disc.size(); ++i) judge_disc(i);
+    for (std::size_t k = 0; k < lattice_.size(); ++k) judge_lattice(k);
+    for (std::size_t k = 0; k < scene_.plate.size(); ++k)
+      if (scene_.plate[k].lower_edge) judge_plate(k);
+    for (std::size_t k = 0; k < scene_.wall.size(); ++k) judge_wall(k);
+    tell_overlaps();
+  }
+
+ private:
+  enum Kind { pair_of_discs, in_plate, in_lattice, on_border, node_in_plate, node_behind, one_place, kinds };
+
+  void fault(Kind kind, const std::string& path, const std::string& message) {
+    const int told = ++told_[kind];
+    if (told <= most_told) found_.error(path, message);
+    if (told == most_told + 1) found_.error(path, "and more of this kind");
+  }
+
+  void overlap(double depth, double size, const std::string& between) {
+    ++overlaps_;
+    if (depth / size <= deepest_) return;
+    deepest_ = depth / size;
+    between_ = between;
+  }
+
+  void tell_overlaps() {
+    if (overlaps_ == 0) return;
+    char share[32];
+    std::snprintf(share, sizeof share, "%.2g", deepest_);
+    found_.warning("", std::to_string(overlaps_) + (overlaps_ == 1 ? " contact overlaps" : " contacts overlap") +
+                           " at the start, the deepest by " + share + " of a radius, between " + between_ +
+                           ": the energy of the overlap is let loose");
+  }
+
+  void judge_discs() {
+    const std::vector<Disc>& disc = scene_.disc;
+    if (disc.size() < 2) return;
+    std::vector<double> x, y;
+    double greatest = 0;
+    for (const Disc& d : disc) {
+      x.push_back(d.position.x);
+      y.push_back(d.position.y);
+      greatest = std::max(greatest, d.radius);
+    }
+    Grid grid;
+    grid.sort(x.data(), y.data(), static_cast<int>(x.size()), 2 * greatest);
+    for (int i = 0; i < static_cast<int>(x.size()); ++i)
+      grid.around(i, disc[i].radius + greatest, [&](int j) {
+        if (j > i) judge_pair(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+      });
+  }
+
+  void judge_pair(std::size_t i, std::size_t j) {
+    const Disc &a = scene_.disc[i], &b = scene_.disc[j];
+    const double dx = a.position.x - b.position.x, dy = a.position.y - b.position.y;
+    const double reach = a.radius + b.radius, smaller = std::min(a.radius, b.radius);
+    if (dx * dx + dy * dy >= reach * reach || (dx == 0 && dy == 0)) return;  // one place for both is told elsewhere
+    const double distance = std::sqrt(dx * dx + dy * dy), depth = reach - distance;
+    if (depth > smaller)
+      fault(pair_of_discs, item("disc", j) + ".position",
+            metres(distance) + " from " + item("disc", i) + ": they overlap by more than the smaller radius");
+    else if (depth > touch * smaller)
+      overlap(depth, smaller, item("disc", i) + " and " + item("disc", j));
+  }
+
+  // Centres behind a wall are told by the judgement of the whole.
+  void judge_disc(std::size_t i) {
+    const Disc& d = scene_.disc[i];
+    const Vec2 p = d.position;
+    const auto lesser = [&](double distance, const char* list, std::size_t k) {
+      const double depth = d.radius - distance;
+      if (depth > touch * d.radius) overlap(depth, d.radius, item("disc", i) + " and " + item(list, k));
+    };
+    for (std::size_t k = 0; k < scene_.wall.size(); ++k) lesser(distance_to_wall(k, p), "wall", k);
+    for (std::size_t k = 0; k < scene_.plate.size(); ++k) {
+      if (!scene_.plate[k].lower_edge) continue;
+      const double distance = distance_to_plate(k, p);
+      if (distance <= 0)
+        fault(in_plate, item("disc", i) + ".position", "the centre is inside " + item("plate", k));
+      else
+        lesser(distance, "plate", k);
+    }
+    for (std::size_t k = 0; k < lattice_.size(); ++k) {
+      if (!lattice_[k]->box().holds(p, d.radius)) continue;
+      const auto [distance, inside] = lattice_[k]->of(p);
+      if (distance <= touch * d.radius)
+        fault(on_border, item("disc", i) + ".position", "the centre is on the border of " + item("lattice", k));
+      else if (inside)
+        fault(in_lattice, item("disc", i) + ".position", "the centre is inside " + item("lattice", k));
+      else
+        lesser(distance, "lattice", k);
+    }
+  }
+
+  double distance_to_wall(std::size_t k, Vec2 p) const {
+    const Wall& w = scene_.wall[k];
+    return nearest_on_wall(p.x, p.y, w.point.x, w.point.y, normal_[k].x, normal_[k].y).distance;
+  }
+
+  double distance_to_plate(std::size_t k, Vec2 p) const {
+    const Plate& r = scene_.plate[k];
+    return nearest_on_rectangle(p.x, p.y, r.left_edge, r.left_edge + r.width, *r.lower_edge, *r.lower_edge + r.height)
+        .distance;
+  }
+
+  void judge_lattice(std::size_t k) {
+    const Lattice& l = scene_.lattice[k];
+    const StandingLattice& here = *lattice_[k];
+    for (int row = 0; row < l.rows; ++row)
+      for (int column = 0; column < l.columns; ++column) judge_node(k, row, column);
+    if (!l.node.empty()) judge_places(k);
+    for (std::size_t j = 0; j < k; ++j)
+      if (here.box().meets(lattice_[j]->box()) && cross(here, *lattice_[j]))
+        found_.warning(item("lattice", k), "crosses " + item("lattice", j) + ": lattices do not feel each other");
+  }
+
+  std::string node_path(std::size_t k, int row, int column) const {
+    return item("lattice", k) + ": node (row " + std::to_string(row) + ", column " + std::to_string(column) + ")";
+  }
+
+  void judge_node(std::size_t k, int row, int column) {
+    const Lattice& l = scene_.lattice[k];
+    const Vec2 p = lattice_[k]->nodes()[lattice_[k]->index(row, column)];
+    const auto judge_depth = [&](Kind kind, double depth, const char* where, const char* list, std::size_t j) {
+      if (depth > node_depth * l.contact_radius)
+        fault(kind, item("lattice", k),
+              "its node of row " + std::to_string(row) + " and column " + std::to_string(column) + " is " +
+                  metres(depth) + where + item(list, j));
+      else if (depth > touch * l.contact_radius)
+        overlap(depth, l.contact_radius, node_path(k, row, column) + " and " + item(list, j));
+    };
+    for (std::size_t j = 0; j < scene_.plate.size(); ++j)
+      if (scene_.plate[j].lower_edge) judge_depth(node_in_plate, -distance_to_plate(j, p), " inside ", "plate", j);
+    const auto fixed = [](const std::vector<int>& list, int line) {
+      return std::find(list.begin(), list.end(), line) != list.end();
+    };
+    if (scene_.wall.empty() || fixed(l.fixed_rows, row) || fixed(l.fixed_columns, column)) return;
+    for (std::size_t j = 0; j < scene_.wall.size(); ++j)
+      judge_depth(node_behind, -distance_to_wall(j, p), " behind ", "wall", j);
+  }
+
+  // A link of no length has no direction.
+  void judge_places(std::size_t k) {
+    const Lattice& l = scene_.lattice[k];
+    const std::vector<Vec2>& node = lattice_[k]->nodes();
+    std::set<std::pair<double, double>> places;
+    for (const Vec2& p : node)
+      if (!places.insert({p.x, p.y}).second)
+        fault(one_place, item("lattice", k),
+              "two of its nodes are in one place, (" + shortest(p.x) + ", " + shortest(p.y) + ") m");
+    for (const NodeSetting& s : l.node)
+      for (int row = std::max(0, s.row - 2); row <= std::min(l.rows - 1, s.row + 2); ++row)
+        for (int column = std::max(0, s.column - 2); column <= std::min(l.columns - 1, s.column + 2); ++column) {
+          const Vec2 a = node[lattice_[k]->index(s.row, s.column)], b = node[lattice_[k]->index(row, column)];
+          const double distance = std::hypot(a.x - b.x, a.y - b.y);
+          if (distance > 0 && distance < touch * l.spacing)
+            fault(one_place, item("lattice", k), "two of its nodes are only " + metres(distance) + " apart");
+        }
+  }
+
+  static bool cross(const StandingLattice& a, const StandingLattice& b) {
+    if (static_cast<double>(a.border().size()) * static_cast<double>(b.border().size()) > most_pairs) return true;
+    const auto reaches_into = [](const StandingLattice& one, const StandingLattice& other) {
+      return std::any_of(one.border().begin(), one.border().end(), [&](Vec2 p) { return other.of(p).inside; });
+    };
+    if (reaches_into(a, b) || reaches_into(b, a)) return true;
+    for (std::size_t i = 0; i < a.segments(); ++i)
+      for (std::size_t j = 0; j < b.segments(); ++j)
+        if (segments_cross(a.border()[i], a.border()[(i + 1) % a.border().size()], b.border()[j],
+                           b.border()[(j + 1) % b.border().size()]))
+          return true;
+    return false;
+  }
+
+  static bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+  }
+
+  std::array<Vec2, 4> corners(std::size_t k) const {
+    const Plate& p = scene_.plate[k];
+    const double left = p.left_edge, right = left + p.width, lower = *p.lower_edge, upper = lower + p.height;
+    return {{{left, lower}, {right, lower}, {right, upper}, {left, upper}}};
+  }
+
+  void judge_plate(std::size_t k) {
+    const Plate& p = scene_.plate[k];
+    const std::string path = item("plate", k);
+    const double size = touch * std::min(p.width, p.height);
+    for (std::size_t j = 0; j < scene_.wall.size(); ++j) {
+      int behind = 0, on = 0;
+      for (const Vec2& corner : corners(k)) {
+        const double distance = distance_to_wall(j, corner);
+        behind += distance < -size;
+        on += std::fabs(distance) <= size;
+      }
+      if (behind > 0) found_.warning(path, "reaches behind " + item("wall", j) + ": they do not feel each other");
+      if (on == 2)
+        found_.warning(path,
+                       "shares a surface with " + item("wall", j) + ": what lies on their common edge feels both");
+    }
+    for (std::size_t j = 0; j < k; ++j)
+      if (scene_.plate[j].lower_edge) judge_plates(k, j, size);
+    for (std::size_t j = 0; j < lattice_.size(); ++j)
+      if (stands_in(k, *lattice_[j]))
+        found_.warning(path, "stands in " + item("lattice", j) + ", whose nodes alone feel it");
+  }
+
+  void judge_plates(std::size_t k, std::size_t j, double size) {
+    const Plate &a = scene_.plate[k], &b = scene_.plate[j];
+    const std::string path = item("plate", k), other = item("plate", j);
+    const double across = std::min(a.left_edge + a.width, b.left_edge + b.width) - std::max(a.left_edge, b.left_edge);
+    const double up =
+        std::min(*a.lower_edge + a.height, *b.lower_edge + b.height) - std::max(*a.lower_edge, *b.lower_edge);
+    const bool same =
+        a.left_edge == b.left_edge && a.lower_edge == b.lower_edge && a.width == b.width && a.height == b.height;
+    if (same)
+      found_.error(path, "in the place of " + other + ": what touches one touches both");
+    else if (across > size && up > size)
+      found_.warning(path, "overlaps " + other + ": what touches both feels both");
+    else if ((across > size && up >= -size) || (up > size && across >= -size))
+      found_.warning(path, "shares a surface with " + other + ": what lies on their common edge feels both");
+  }
+
+  bool stands_in(std::size_t k, const StandingLattice& l) const {
+    const auto corner = corners(k);
+    Box box;
+    for (const Vec2& p : corner) box.add(p);
+    if (!box.meets(l.box())) return false;
+    if (std::any_of(corner.begin(), corner.end(), [&](Vec2 p) { return l.of(p).inside; })) return true;
+    for (std::size_t i = 0; i < l.segments(); ++i)
+      for (std::size_t c = 0; c < 4; ++c)
+        if (segments_cross(l.border()[i], l.border()[(i + 1) % l.border().size()], corner[c], corner[(c + 1) % 4]))
+          return true;
+    return false;
+  }
+
+  void judge_wall(std::size_t k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      const double across = normal_[k].x * normal_[j].y - normal_[k].y * normal_[j].x;
+      const bool same_side = normal_[k].x * normal_[j].x + normal_[k].y * normal_[j].y > 0;
+      if (std::fabs(across) > touch || !same_side) continue;
+      const Vec2 p = scene_.wall[k].point;
+      const double distance = distance_to_wall(j, p);
+      const double size = touch * std::max({std::fabs(p.x), std::fabs(p.y), 1e-3});
+      if (std::fabs(distance) <= size)
+        found_.error(item("wall", k), "the same as " + item("wall", j) + ": its stiffness would count twice");
+      else if (across == 0)
+        found_.warning(item("wall", distance < 0 ? k : j), "lies behind " + item("wall", distance < 0 ? j : k));
+    }
+  }
+
+  const Scene& scene_;
+  Findings& found_;
+  std::vector<std::unique_ptr<StandingLattice>> lattice_;
+  std::vector<Vec2> normal_;  // of the walls, of length 1
+  std::array<int, kinds> told_{};
+  long overlaps_ = 0;
+  double deepest_ = 0;  // share of a radius
+  std::string between_;
+};
+
+}  // namespace
+
+void judge_start(const Scene& scene, Findings& found) {
+  if (found.any_error()) return;  // a scene that is wrong elsewhere may have no places
+  for (const char* list : {"disc", "wall", "plate", "lattice"})
+    if (!found.known(list)) return;
+  StartJudge(scene, found).judge();
+}
+
+}  // namespace furrow
