@@ -15,6 +15,7 @@
 #include "page/report.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "scene/read.h"
 
 namespace furrow {
 namespace {

@@ -53,10 +53,11 @@ class Findings {
     add({path, message, others, true});
   }
 
-  // The value of this path is wrong: nothing else is said of it.
-  void refuse(const std::string& path, const std::string& message) {
-    error(path, message);
+  // The values of these paths are wrong: nothing else is said of them.
+  void refuse(const std::string& path, const std::string& message, const std::vector<std::string>& others = {}) {
+    error(path, message, others);
     unread_.add(path);
+    for (const std::string& other : others) unread_.add(other);
   }
 
   bool known(const std::string& path) const { return !unread_.touches(path); }

@@ -58,11 +58,13 @@ class NumberJudge {
     return what + " = " + shortest(derived) + ", which cannot be computed with";
   }
 
-  void resolved(const char* key, Vec2 place, double length) {
+  void resolved(const char* key, Vec2 place, double length, const std::vector<std::string>& others = {}) {
     const double farthest = std::fmax(std::fabs(place.x), std::fabs(place.y));
     if (!(farthest * resolution <= length))
-      found_.error(at(key), "so far out that a length of " + shortest(length) + " m is not resolved; at most " +
-                                shortest(1 / resolution) + " times that length");
+      found_.error(at(key),
+                   "so far out that a length of " + shortest(length) + " m is not resolved; at most " +
+                       shortest(1 / resolution) + " times that length",
+                   others);
   }
 
   void judge_model() {
@@ -153,7 +155,7 @@ class NumberJudge {
     const double end = scene_.time.end, side = std::fmin(p.width, p.height);
     resolved("left_edge", {p.left_edge, p.lower_edge.value_or(0)}, side);
     resolved("width", {p.width, p.height}, side);
-    resolved("velocity", {p.velocity.x * end, p.velocity.y * end}, side);
+    resolved("velocity", {p.velocity.x * end, p.velocity.y * end}, side, {"time.end"});
   }
 
   void judge(const Lattice& l) {

@@ -24,10 +24,12 @@ std::string rounded(double number) {
   return text;
 }
 
+using Paths = std::vector<std::string>;
+
 void judge_count(Findings& found, const std::string& path, const std::string& what, double count, double most,
-                 const std::string& unit, const std::vector<std::string>& others) {
+                 const std::string& unit, const Paths& others) {
   if (!(count <= most))
-    found.error(path, what + " = " + rounded(count) + ' ' + unit + "; at most " + shortest(most), others);
+    found.refuse(path, what + " = " + rounded(count) + ' ' + unit + "; at most " + shortest(most), others);
 }
 
 double discs_of(const Scene& scene) {

@@ -81,6 +81,13 @@ TEST_F(Input, NumbersThatMakeNoSenseAreRefusedInOneLineThatNamesTheOption) {
     expect_refusal("study --jobs=" + std::string(number), "--jobs: ");
 }
 
+TEST_F(Input, SizesAreSaidWithTheirLimitBeforeWorkBegins) {
+  const std::string run = "run " + scene("scenario_1");
+  expect_refusal(run + " --dt 1e-300", "--dt: time.end / time.step = 1.2e+300 steps; at most 1e+10");
+  expect_refusal(run + " --until 1e308", "--until: time.step: time.end / time.step = inf steps; at most 1e+10");
+  expect_refusal(run + " --until 1e9", "--until: time.step: time.end / time.step = 1e+13 steps; at most 1e+10");
+}
+
 TEST_F(Input, WordsThatAreMisspeltAreNamedWithTheNearest) {
   expect_refusal("rum x", "\"rum\"; did you mean \"run\"?");
   expect_refusal("--hlep", "\"--hlep\"; did you mean \"--help\"?");
