@@ -4,11 +4,12 @@
 // wall, in a plate or in a lattice, or on a lattice's border, where no direction leads out; nodes of a lattice in one
 // place; a node deeper than a tenth of its contact radius in a plate or, if it can move, behind a wall; a wall or a
 // plate given twice, whose stiffness would count twice. A lesser overlap, and parts that feel nothing of each other,
-// may be meant: a warning.
+// may be meant: a warning. What [allow] says of discs holds at the start too.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,7 +33,8 @@ std::string metres(double length) { return shortest(length) + " m"; }
 
 class StartJudge {
  public:
-  StartJudge(const Scene& scene, Findings& found) : scene_(scene), found_(found) {
+  StartJudge(const Scene& scene, Findings& found)
+      : scene_(scene), allow_(scene.allow.value_or(Allow{})), found_(found) {
     for (const Lattice& l : scene.lattice) lattice_.push_back(std::make_unique<StandingLattice>(l));
     for (const Wall& w : scene.wall) normal_.push_back(unit_vector(w.normal));
   }
@@ -72,22 +74,28 @@ class StartJudge {
                            ": the energy of the overlap is let loose");
   }
 
+  // Each pair is found by its larger disc, so that a large one costs no more than what lies around it.
   void judge_discs() {
     const std::vector<Disc>& disc = scene_.disc;
     if (disc.size() < 2) return;
     std::vector<double> x, y;
-    double greatest = 0;
+    std::vector<int> all(disc.size());
+    std::iota(all.begin(), all.end(), 0);
+    double sum = 0;
     for (const Disc& d : disc) {
       x.push_back(d.position.x);
       y.push_back(d.position.y);
-      greatest = std::max(greatest, d.radius);
+      sum += d.radius;
     }
     Grid grid;
-    grid.sort(x.data(), y.data(), static_cast<int>(x.size()), 2 * greatest);
-    for (int i = 0; i < static_cast<int>(x.size()); ++i)
-      grid.around(i, disc[i].radius + greatest, [&](int j) {
-        if (j > i) judge_pair(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    grid.sort(x.data(), y.data(), all, 2 * sum / static_cast<double>(disc.size()));
+    for (const int i : all) {
+      const double r = disc[i].radius;
+      grid.in_box({x[i] - 2 * r, x[i] + 2 * r}, {y[i] - 2 * r, y[i] + 2 * r}, [&](int j) {
+        if (disc[j].radius < r || (disc[j].radius == r && j > i))
+          judge_pair(static_cast<std::size_t>(std::min(i, j)), static_cast<std::size_t>(std::max(i, j)));
       });
+    }
   }
 
   void judge_pair(std::size_t i, std::size_t j) {
@@ -96,7 +104,7 @@ class StartJudge {
     const double reach = a.radius + b.radius, smaller = std::min(a.radius, b.radius);
     if (dx * dx + dy * dy >= reach * reach || (dx == 0 && dy == 0)) return;  // one place for both is told elsewhere
     const double distance = std::sqrt(dx * dx + dy * dy), depth = reach - distance;
-    if (depth > smaller)
+    if (depth > smaller * std::max(1.0, allow_.overlap.value_or(1)))
       fault(pair_of_discs, item("disc", j) + ".position",
             metres(distance) + " from " + item("disc", i) + ": they overlap by more than the smaller radius");
     else if (depth > touch * smaller)
@@ -115,7 +123,7 @@ class StartJudge {
     for (std::size_t k = 0; k < scene_.plate.size(); ++k) {
       if (!scene_.plate[k].lower_edge) continue;
       const double distance = distance_to_plate(k, p);
-      if (distance <= 0)
+      if (distance <= 0 && !allow_.through_plates)
         fault(in_plate, item("disc", i) + ".position", "the centre is inside " + item("plate", k));
       else
         lesser(distance, "plate", k);
@@ -125,7 +133,7 @@ class StartJudge {
       const auto [distance, inside] = lattice_[k]->of(p);
       if (distance <= touch * d.radius)
         fault(on_border, item("disc", i) + ".position", "the centre is on the border of " + item("lattice", k));
-      else if (inside)
+      else if (inside && !allow_.through_lattices)
         fault(in_lattice, item("disc", i) + ".position", "the centre is inside " + item("lattice", k));
       else
         lesser(distance, "lattice", k);
@@ -291,6 +299,7 @@ class StartJudge {
   }
 
   const Scene& scene_;
+  Allow allow_;
   Findings& found_;
   std::vector<std::unique_ptr<StandingLattice>> lattice_;
   std::vector<Vec2> normal_;  // of the walls, of length 1

@@ -153,7 +153,7 @@ class Validator {
     const double x = disc.position.x, y = disc.position.y;
     once(places_, std::pair(x, y), path + ".position");
     each("wall", scene_.wall, [&](const std::string& its_path, const Wall& w) {
-      if (w.normal == Vec2{}) return;
+      if (w.normal == Vec2{} || (scene_.allow && scene_.allow->behind_walls)) return;
       const Vec2 normal = unit_vector(w.normal);
       if ((x - w.point.x) * normal.x + (y - w.point.y) * normal.y < 0)
         fault(path + ".position", "the centre is behind " + its_path, {its_path});

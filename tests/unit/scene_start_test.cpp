@@ -157,7 +157,7 @@ TEST(SceneSizes, AreBoundedBeforeWorkBegins) {
             Lines{"time.step: time.end / time.step = 1e+300 steps; at most 1e+10"});
   EXPECT_FALSE(problems([](Scene& s) { s.time.end = 1e308; }).empty());
   EXPECT_EQ(problems([](Scene& s) { s.lattice[0].rows = s.lattice[0].columns = 100'000; }),
-            Lines{"lattice[0]: rows times columns = 1e+10 nodes of 1000 bytes; at most 16000000"});
+            Lines{"lattice[0]: rows times columns = 1e+10 nodes of 1000 bytes; at most 1.6e+07"});
   EXPECT_FALSE(problems([](Scene& s) {
                  s.packing.assign(3, {.count = 10'000'000, .upper_right = {1e4, 1e4}, .material = "soft"});
                }).empty());
