@@ -265,14 +265,14 @@ TEST(Catalogue, NamesAreUniqueAndCanBeMade) {
   }
 }
 
-TEST(Catalogue, AnUnknownNameIsAnsweredWithTheKnownOnes) {
+TEST(Catalogue, AnUnknownNameIsAnsweredWithWhereTheKnownOnesStand) {
   try {
     make_method("euler");
     FAIL() << "no method is called euler";
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
     EXPECT_NE(text.find("'euler'"), std::string::npos);
-    for (const MethodInfo& info : method_catalogue()) EXPECT_NE(text.find(info.name), std::string::npos) << info.name;
+    EXPECT_NE(text.find("see furrow methods"), std::string::npos);
   }
 }
 
