@@ -1,48 +1,12 @@
 // What the program is given: options that make no sense are refused in one line of plain words, and what it runs can be
 // run again from the scene that it wrote.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
+#include "tests/command_line/program.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
+namespace furrow::test {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-struct Result {
-  int code;
-  std::string out, err;
-};
-
-class Input : public testing::Test {
+class Input : public Program {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_input_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
-  Result furrow(const std::string& arguments) const {
-    const std::string command = "cd '" + directory_.string() + "' && '" FURROW_PROGRAM "' " + arguments +
-                                " >stdout.txt 2>stderr.txt </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(directory_ / "stdout.txt"),
-            text_of(directory_ / "stderr.txt")};
-  }
-
   // Refused with exit 2, one line that holds the words, and no file.
   void expect_refusal(const std::string& arguments, const std::string& words) const {
     const Result r = furrow(arguments);
@@ -54,16 +18,9 @@ class Input : public testing::Test {
     EXPECT_FALSE(fs::exists(directory_ / "runs")) << arguments;
   }
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(directory_ / name) << text; }
   nlohmann::json json_of(const std::string& run) const {
     return nlohmann::json::parse(text_of(directory_ / run / "run.json"));
   }
-
-  static std::string scene(const std::string& name) {
-    return "'" FURROW_SOURCE_DIR "/validation/scenes/" + name + ".toml'";
-  }
-
-  fs::path directory_;
 };
 
 TEST_F(Input, NumbersThatMakeNoSenseAreRefusedInOneLineThatNamesTheOption) {
@@ -164,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
                     SCENE("scenario_3") " --until 0.002"));
 
 TEST_F(Input, CheckShowsAllThatIsWrongInAFileAtOnce) {
-  write("many.toml", R"(title = "five faults"
+  put("many.toml", R"(title = "five faults"
 [time]
 end = 1.0
 step = 1e-3
@@ -205,8 +162,8 @@ TEST_F(Input, CheckFindsWhatRunWouldRefuse) {
     std::string text = good;
     return text.replace(text.find(from), from.size(), to);
   };
-  write("full.toml", changed("count = 230", "count = 900"));
-  write("unfit.toml", changed("method = \"pece\"", "method = \"odeint_rosenbrock4\""));
+  put("full.toml", changed("count = 230", "count = 900"));
+  put("unfit.toml", changed("method = \"pece\"", "method = \"odeint_rosenbrock4\""));
   const Result full = furrow("check full.toml");
   EXPECT_EQ(full.code, 2);
   EXPECT_NE(full.err.find("full.toml:42:1: error: packing[0]: no room for disc"), std::string::npos) << full.err;
@@ -218,3 +175,4 @@ TEST_F(Input, CheckFindsWhatRunWouldRefuse) {
 }
 
 }  // namespace
+}  // namespace furrow::test
