@@ -12,7 +12,7 @@ struct BuildInfo {
   std::string_view flags;     // that the library's sources were compiled with
   std::string_view build_type;
   std::string_view sources;  // hash of the solver's sources: what decides the bits of a run and of its files
-  std::string_view system;  // operating system and processor
+  std::string_view system;   // operating system and processor
 };
 
 const BuildInfo& build_info();

@@ -59,12 +59,7 @@ class EventSteps {
   // `check` throws Divergence if the step is not sound. `validity`, if there is one, sees each state that is accepted.
   using Check = std::function<void(const Step& step)>;
   EventSteps(System& system, Method& method, Locate what, Check check, Validity* validity, EventMemory& memory)
-      : system_(system),
-        method_(method),
-        what_(what),
-        check_(std::move(check)),
-        validity_(validity),
-        memory_(memory) {}
+      : system_(system), method_(method), what_(what), check_(std::move(check)), validity_(validity), memory_(memory) {}
 
   // Carries y from t to `end`, or, for a controlled method, as far as it dares, applies the jumps on the way and
   // reports them together. `h` is the usual step. Returns the time reached. Throws Divergence, also where events are

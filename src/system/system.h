@@ -53,7 +53,7 @@ struct DiscreteState {
 struct JumpReport {
   std::vector<Tear> torn;
   bool springs_changed = false;
-  Growth grown;            // of the state, for contacts that found no room in it
+  Growth grown;                    // of the state, for contacts that found no room in it
   const Survey* survey = nullptr;  // of the state that was left, if it was asked for
   State* rates = nullptr;  // at the state that was left, if they are known: the system's own room, to be swapped out
   bool flow_jumped() const { return !torn.empty(); }
