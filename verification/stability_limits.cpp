@@ -159,7 +159,7 @@ TEST(StabilityLimits, RunsHoldBelowTheLimitAndAreCaughtAboveIt) {
     scene.allow = Allow{.energy_made = 100,
                         .energy_lost = 100,
                         .overlap = 100,
-                        .step = 100,
+
                         .behind_walls = true,
                         .through_plates = true,
                         .through_lattices = true};
