@@ -154,4 +154,14 @@ TEST_F(StepCommands, ARunThatDoesNotSettleLeavesNoStateOfAnEarlierOne) {
   EXPECT_EQ(json["ended_at"], 0);
 }
 
+// Two nodes on one spot have no direction between them: what came of it went into a solver that crashed.
+TEST_F(StepCommands, StabilityOfANodeOnAnotherIsAnErrorNotACrash) {
+  std::string text = spring(8, 1e-2);
+  text.replace(text.find("[0.1, 0.0]"), 10, "[-1.0, 0.0]");
+  write("s.toml", text);
+  const int code = furrow("stability s.toml");
+  EXPECT_TRUE(code == 2 || code == 3) << code;
+  EXPECT_NE(err().find("error: "), std::string::npos) << err();
+}
+
 }  // namespace

@@ -37,6 +37,22 @@ double width(const System& system, int place) {
   return place < system.first_spring() ? width_of_spins : width_of_springs;
 }
 
+// Of the difference between two rates, over that of the numbers that they were taken at. Parts on one spot have no
+// rates, and far from the origin a difference so narrow is lost in round-off: a solver would crash on what came of it.
+double slope(double difference, double across, int place) {
+  const double of = difference / across;
+  if (std::isfinite(of)) return of;
+  throw Divergence("the rates of change of number " + std::to_string(place) +
+                   " of the state are not finite: parts on one spot, or too far from the origin");
+}
+
+// Eigenvalues of a matrix, which are all of them there.
+ComplexVector eigenvalues(const Eigen::MatrixXd& of) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(of, false);
+  if (solver.info() != Eigen::Success) throw Divergence("the eigenvalues of the rates of change are not found");
+  return solver.eigenvalues();
+}
+
 }  // namespace
 
 Linearised linearise(const System& system, double t, const State& y) {
@@ -62,7 +78,7 @@ Linearised linearise(const System& system, double t, const State& y) {
     moved[place] = y[place];
     for (int row = 0; row < n; ++row) {
       const double difference = above[l.acting[row]] - below[l.acting[row]];
-      if (difference != 0) entries.emplace_back(row, column, difference / across);
+      if (difference != 0) entries.emplace_back(row, column, slope(difference, across, l.acting[row]));
     }
   }
   l.rates.resize(n, n);
@@ -72,7 +88,7 @@ Linearised linearise(const System& system, double t, const State& y) {
 
 ComplexVector spectrum(const Linearised& l, Eigen::Index dense) {
   const Eigen::Index n = l.rates.rows();
-  if (n <= dense) return Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(l.rates), false).eigenvalues();
+  if (n <= dense) return eigenvalues(Eigen::MatrixXd(l.rates));
   Eigen::MatrixXd basis(n, dense + 1);
   Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(dense, dense);
   std::mt19937_64 random(1);
@@ -88,10 +104,10 @@ ComplexVector spectrum(const Linearised& l, Eigen::Index dense) {
     }
     const double size = next.norm();
     if (k + 1 < dense) reduced(k + 1, k) = size;
-    if (size == 0) return Eigen::EigenSolver<Eigen::MatrixXd>(reduced.topLeftCorner(k + 1, k + 1), false).eigenvalues();
+    if (size == 0) return eigenvalues(reduced.topLeftCorner(k + 1, k + 1));
     basis.col(k + 1) = next / size;
   }
-  return Eigen::EigenSolver<Eigen::MatrixXd>(reduced, false).eigenvalues();
+  return eigenvalues(reduced);
 }
 
 ComplexVector eigenvector(const Linearised& l, std::complex<double> value) {
@@ -102,6 +118,8 @@ ComplexVector eigenvector(const Linearised& l, std::complex<double> value) {
   identity.setIdentity();
   shifted -= (value * (1 + 1e-6)) * identity;  // beside the eigenvalue, where the matrix is not quite singular
   Eigen::SparseLU<Sparse> solver(shifted);
+  if (solver.info() != Eigen::Success)
+    throw Divergence("the fastest motion is not found: " + solver.lastErrorMessage());
   ComplexVector v = ComplexVector::Ones(n);
   for (int k = 0; k < 4; ++k) v = solver.solve(v).normalized();
   return v;
