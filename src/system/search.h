@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -76,7 +75,8 @@ class NeighbourSearch {
  private:
   struct Pair {
     int a, b;
-    friend auto operator<=>(const Pair&, const Pair&) = default;
+    bool operator==(const Pair& other) const { return a == other.a && b == other.b; }
+    bool operator<(const Pair& other) const { return a < other.a || (a == other.a && b < other.b); }
   };
   struct Member {
     Pair pair;
