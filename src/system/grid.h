@@ -22,6 +22,7 @@ class Axis {
   struct Cells {
     std::int64_t first, last;
     bool all;  // of a folded axis
+    long count() const { return std::max<long>(0, last - first + 1); }
   };
 
   // The cells of [from, to] one by one; folded: as many as `count`, from the origin on, for there the numbers are
@@ -90,7 +91,7 @@ class Grid {
     const Axis::Cells columns = columns_.overlapping(x);
     if (columns.first > columns.last) return 0;
     for (std::int64_t r = rows.first; r <= rows.last; ++r) in_row(rows_.fold(r), columns, visit);
-    return rows.last - rows.first + 1;
+    return rows.count();
   }
 
   // The same with a range along x that differs from row to row: along(y) names it for points at these y.
@@ -102,7 +103,7 @@ class Grid {
       const bool known = rows_.extent(r, row) && !rows.all;
       in_row(rows_.fold(r), columns_.overlapping(along(known ? row : y)), visit);
     }
-    return rows.last - rows.first + 1;
+    return rows.count();
   }
 
  private:
