@@ -42,6 +42,22 @@ int made_beside(std::string& pattern) {
   return descriptor;
 }
 
+// The file cut to so many bytes, to go on at its end.
+int reopened_at(const fs::path& file, std::uint64_t bytes) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) fail("cannot go on with ", file, errno);
+  const off_t end = lseek(descriptor, 0, SEEK_END);
+  const bool is_long_enough = end >= 0 && static_cast<std::uint64_t>(end) >= bytes;
+  const auto length = static_cast<off_t>(bytes);
+  if (is_long_enough && ftruncate(descriptor, length) == 0 && lseek(descriptor, 0, SEEK_END) == length)
+    return descriptor;
+  const int error = errno;
+  close(descriptor);
+  if (is_long_enough) fail("cannot go on with ", file, error);
+  throw FileError("cannot go on with " + file.string() + ": it has " + std::to_string(end) + " bytes, not " +
+                  std::to_string(bytes));
+}
+
 // Some file systems cannot rename without replacing.
 bool renamed_to_free_name(const fs::path& from, const fs::path& to) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
@@ -68,12 +84,16 @@ std::string csv_cell(std::string_view text) {
 
 int files_being_written() { return being_written; }
 
-OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, bool replaces)
-    : file_(std::move(file)), partial_(std::move(partial)), descriptor_(descriptor), replaces_(replaces) {
+OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, bool replaces, std::uint64_t bytes)
+    : file_(std::move(file)),
+      partial_(std::move(partial)),
+      written_(bytes),
+      descriptor_(descriptor),
+      replaces_(replaces) {
   ++being_written;
 }
 
-OutputFile::OutputFile(fs::path file, std::string_view headings)
+OutputFile::OutputFile(const fs::path& file, std::string_view headings)
     : OutputFile(file, partial_of(file), made(partial_of(file)), false) {
   if (!headings.empty()) *this << headings << "\n";
 }
@@ -93,28 +113,8 @@ OutputFile OutputFile::rewriting(const fs::path& file) {
 OutputFile OutputFile::reopened(const fs::path& file, std::uint64_t bytes) {
   const fs::path partial = partial_of(file);
   if (!is_regular(partial) && is_regular(file)) fs::rename(file, partial);
-  const int descriptor = open(partial.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) fail("cannot go on with ", partial, errno);
-  OutputFile again(file, partial, descriptor, false);
-  const off_t end = lseek(descriptor, 0, SEEK_END);
-  if (end < 0) fail("cannot go on with ", partial, errno);
-  if (static_cast<std::uint64_t>(end) < bytes) {
-    throw FileError("cannot go on with " + partial.string() + ": it has " + std::to_string(end) + " bytes, not " +
-                    std::to_string(bytes));
-  }
-  if (ftruncate(descriptor, static_cast<off_t>(bytes)) != 0 || lseek(descriptor, 0, SEEK_END) < 0)
-    fail("cannot go on with ", partial, errno);
-  again.written_ = bytes;
-  return again;
+  return {file, partial, reopened_at(partial, bytes), false, bytes};
 }
-
-OutputFile::OutputFile(OutputFile&& other) noexcept
-    : file_(std::move(other.file_)),
-      partial_(std::move(other.partial_)),
-      buffer_(std::move(other.buffer_)),
-      written_(other.written_),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      replaces_(other.replaces_) {}
 
 OutputFile::~OutputFile() {
   if (descriptor_ < 0) return;

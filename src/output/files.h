@@ -26,7 +26,7 @@ class OutputFile {
  public:
   // Makes `file`.partial, to begin with a line of headings if there are any. Nothing may stand there, and nothing may
   // stand where finish() puts the file.
-  explicit OutputFile(std::filesystem::path file, std::string_view headings = {});
+  explicit OutputFile(const std::filesystem::path& file, std::string_view headings = {});
 
   // Takes the place of a regular file when it is finished; until then it has a name of its own.
   static OutputFile replacing(const std::filesystem::path& file);
@@ -38,7 +38,6 @@ class OutputFile {
   // Goes on with `file`.partial, or with the finished file, as it was when it had so many bytes.
   static OutputFile reopened(const std::filesystem::path& file, std::uint64_t bytes);
 
-  OutputFile(OutputFile&& other) noexcept;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();  // of a file that was not closed: what is still in memory is lost
@@ -68,7 +67,8 @@ class OutputFile {
   void finish();
 
  private:
-  OutputFile(std::filesystem::path file, std::filesystem::path partial, int descriptor, bool replaces);
+  OutputFile(std::filesystem::path file, std::filesystem::path partial, int descriptor, bool replaces,
+             std::uint64_t bytes = 0);
   void cell(std::string_view text) { *this << csv_cell(text); }
   void cell(double value) { *this << value; }
   void cell(int value) { *this << value; }

@@ -225,8 +225,8 @@ void OwnedDirectory::discard(const std::string& file) {
     if (is_there(directory_ / (file + ending))) remove_file(directory_ / (file + ending));
   }
   // A directory goes with its last file; one that holds more stays.
-  const std::vector<fs::path> between = directories_of(directory_, file);
-  for (auto place = between.rbegin(); place != between.rend(); ++place) rmdir(place->c_str());
+  std::vector<fs::path> between = directories_of(directory_, file);
+  for (; !between.empty(); between.pop_back()) rmdir(between.back().c_str());
 }
 
 void OwnedDirectory::conclude(const std::string& standing) {

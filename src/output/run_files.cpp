@@ -33,7 +33,7 @@ std::vector<std::string> files_of(const Scene& scene) {
   std::vector<std::string> files = Frames::files(scene.output.frames.size());
   for (const char* name :
        {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml", "run.json"})
-    files.push_back(name);
+    files.emplace_back(name);
   return files;
 }
 

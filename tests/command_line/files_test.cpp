@@ -111,6 +111,29 @@ TEST_F(ProgramFiles, WantOfMemoryLeavesADirectoryThatCanBeUsedAgain) {
   EXPECT_EQ(furrow(short_run("here")).code, 0);
 }
 
+// Before anything is run: each of these would take minutes.
+TEST_F(ProgramFiles, AResultReplacesOnlyOneOfItsKind) {
+  const std::string study = "study order --out kept", golden = "golden --remake --reason why --goldens kept";
+  for (const auto& [command, file] :
+       {std::pair{study, "order.json"}, {study, "order.runs.jsonl"}, {golden, "scenario_1_disc.json"}}) {
+    const std::string place = "kept/" + std::string(file);
+    for (const char* words : {"mine", "{\"mine\": 1}", ""}) {
+      if (*words == '\0' && command == study && place.ends_with("jsonl")) continue;  // an empty list is one
+      fs::remove_all(directory_ / "kept");
+      put(place, words);
+      const Result r = furrow(command);
+      EXPECT_EQ(r.code, 4) << command << place;
+      EXPECT_NE(r.err.find(file), std::string::npos) << r.err;
+      EXPECT_EQ(text(place), words);
+    }
+    put("precious");
+    fs::remove(directory_ / place);
+    fs::create_symlink(directory_ / "precious", directory_ / place);
+    EXPECT_EQ(furrow(command).code, 4) << command << place;
+    EXPECT_EQ(text("precious"), "mine");
+  }
+}
+
 // Two plates of different speeds, one with a name that needs quotes and one with none.
 TEST_F(ProgramFiles, EachRowHasTheDisplacementOfItsOwnPlate) {
   std::string toml = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml");
