@@ -57,7 +57,7 @@ class OutputFile {
   // Hands to the operating system what is still in memory.
   void flush();
 
-  // Of the file so far.
+  // Of the file so far, with what flush() is still to hand over.
   std::uint64_t bytes() const { return written_ + buffer_.size(); }
 
   // Closes the file as it is and keeps the ending .partial.

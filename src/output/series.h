@@ -1,5 +1,5 @@
-// The series of a run: what is written row by row while it goes on, and its frames. Rows are in the file, not in
-// memory, as soon as they are written; a disk that is full ends the run there.
+// The series of a run: what is written row by row while it goes on, and its frames. Rows stay in
+// memory for a twentieth of a second at most while more of them come; a disk that is full ends the run then.
 //   plate_force.csv  each row with the displacement of its own plate
 //   events.csv       torn links, with the displacement of the first plate; 0 without a plate
 #pragma once
@@ -28,6 +28,9 @@ class Series {
   // The next time at which something is due, for methods that choose their steps.
   double next_stop(double t) const;
 
+  // Puts all rows into the files, as bytes() of each promises.
+  void flush();
+
   // Those of a run that is not complete keep the ending .partial.
   void close(bool complete);
 
@@ -36,6 +39,7 @@ class Series {
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;
+  double flushed_ = 0;  // s, of the clock
   const double slack_;  // s
   Validity& validity_;
   std::vector<std::string> plates_, lattices_;  // what rows call them
