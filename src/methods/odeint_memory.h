@@ -16,8 +16,10 @@ struct Revealed {
 };
 
 // reveal(stepper, Name{}) is stepper.member from here on.
+// NOLINTBEGIN(bugprone-macro-parentheses): types and members cannot stand in parentheses
 #define FURROW_REVEAL(Stepper, Member, member, Name) \
   Member& reveal(Stepper&, Name);                    \
   template struct Revealed<Stepper, Member, &Stepper::member, Name>
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace furrow

@@ -61,7 +61,7 @@ struct CheckpointPart {
   std::function<void(HistoryVisitor&)> visit;
 };
 
-// Replaces the file only when all of the new one is written. Throws FileError.
+// Replaces the file only when all of the new one is written, under its own name. Throws FileError.
 void write_checkpoint(const std::filesystem::path& file, const std::vector<CheckpointPart>& parts);
 
 class Checkpoint {
@@ -69,6 +69,9 @@ class Checkpoint {
   // Throws FileError, with the reason in one line: no such file, not a checkpoint, of another format, cut short, or not
   // what was written.
   explicit Checkpoint(const std::filesystem::path& file);
+  ~Checkpoint() = default;
+  Checkpoint(const Checkpoint&) = delete;
+  Checkpoint& operator=(const Checkpoint&) = delete;
 
   // Throws FileError if there is no such part, or it holds other things than what is visited.
   void read(const CheckpointPart& part) const;
@@ -76,7 +79,7 @@ class Checkpoint {
  private:
   std::filesystem::path file_;
   std::string bytes_;
-  std::map<std::string, std::string_view, std::less<>> part_;
+  std::map<std::string, std::string_view> part_;  // of the bytes
 };
 
 }  // namespace furrow

@@ -38,6 +38,12 @@ class OutputFile {
   // Goes on with `file`.partial, or with the finished file, as it was when it had so many bytes.
   static OutputFile reopened(const std::filesystem::path& file, std::uint64_t bytes);
 
+  // A new one with its headings, or reopened as it was when it had so many bytes.
+  static OutputFile begun(const std::filesystem::path& file, std::string_view headings, const std::uint64_t* bytes) {
+    if (bytes) return reopened(file, *bytes);
+    return OutputFile(file, headings);
+  }
+
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();  // of a file that was not closed: what is still in memory is lost

@@ -25,6 +25,8 @@ class FirstTouch {
     }
   }
 
+  void history(HistoryVisitor& visit) { visit("first touch", time_); }
+
   double time() const { return time_; }  // s; infinity: not yet
 
  private:

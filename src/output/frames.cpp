@@ -116,16 +116,25 @@ Table plates_of(const System& system, double t) {
 
 }  // namespace
 
-Frames::Frames(const std::filesystem::path& directory)
+void Frames::Memory::history(HistoryVisitor& visit) {
+  visit("frames", count);
+  visit("bytes of frames.csv", list_bytes);
+  visit("bytes of run.pvd", pvd_bytes);
+}
+
+Frames::Frames(const std::filesystem::path& directory, const Memory* kept)
     : directory_(directory / "frames"),
-      list_(directory_ / "frames.csv", "index,t [s],displacement [m]"),
-      pvd_(directory / "run.pvd",
-           "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>") {}
+      list_(OutputFile::begun(directory_ / "frames.csv", "index,t [s],displacement [m]",
+                              kept ? &kept->list_bytes : nullptr)),
+      pvd_(OutputFile::begun(directory / "run.pvd",
+                             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>",
+                             kept ? &kept->pvd_bytes : nullptr)),
+      count_(kept ? kept->count : 0) {}
 
 void Frames::add(const System& system, double t, double displacement, const State& y) {
   int part = 0;
   const auto write = [&](const std::string& kind, const Table& table) {
-    const std::string name = name_of(kind, static_cast<std::size_t>(count_));
+    const std::string name = name_of(kind, count_);
     table.write((directory_ / name).string());
     pvd_ << "<DataSet timestep=\"" << t << "\" part=\"" << part++ << "\" name=\"" << kind << "\" file=\"frames/" << name
          << ".vtp\"/>\n";
@@ -133,7 +142,7 @@ void Frames::add(const System& system, double t, double displacement, const Stat
   write("discs", discs_of(system, t, y));
   write("links", links_of(system, y));
   write("plates", plates_of(system, t));
-  list_.row(count_++, t, displacement);
+  list_.row(static_cast<int>(count_++), t, displacement);
   list_.flush();
   pvd_.flush();
 }

@@ -1,6 +1,7 @@
 // Pictures of a run at chosen times: CSV for figures, VTK (.vtp and a .pvd that lists them) for ParaView.
 #pragma once
 
+#include "methods/history.h"
 #include "output/files.h"
 #include "system/system.h"
 
@@ -8,8 +9,17 @@ namespace furrow {
 
 class Frames {
  public:
+  // How far the lists have come.
+  struct Memory {
+    std::size_t count = 0;
+    std::uint64_t list_bytes = 0, pvd_bytes = 0;
+    void history(HistoryVisitor& visit);
+  };
+
   // Writes run.pvd into `directory`, all else into `directory` / frames, which must exist.
-  explicit Frames(const std::filesystem::path& directory);
+  // Goes on after what was kept, if there is anything.
+  Frames(const std::filesystem::path& directory, const Memory* kept);
+  Memory memory() const { return {count_, list_.bytes(), pvd_.bytes()}; }
 
   // displacement: of the first plate, m; 0 without a plate.
   void add(const System& system, double t, double displacement, const State& y);
@@ -24,7 +34,7 @@ class Frames {
  private:
   std::filesystem::path directory_;
   OutputFile list_, pvd_;
-  int count_ = 0;
+  std::size_t count_ = 0;
 };
 
 }  // namespace furrow

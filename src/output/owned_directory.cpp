@@ -229,6 +229,13 @@ void OwnedDirectory::discard(const std::string& file) {
   for (; !between.empty(); between.pop_back()) rmdir(between.back().c_str());
 }
 
+void OwnedDirectory::keep_only(const std::vector<std::string>& files) {
+  for (const std::string& file : files_) {
+    if (std::find(files.begin(), files.end(), file) == files.end()) discard(file);
+  }
+  make_directories({files_.begin(), files_.end()});
+}
+
 void OwnedDirectory::conclude(const std::string& standing) {
   std::erase_if(files_, [&](const std::string& file) {
     return std::none_of(std::begin(endings), std::end(endings),

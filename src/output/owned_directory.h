@@ -34,6 +34,9 @@ class OwnedDirectory {
   // Removes one of its own files, finished or .partial, if it is there.
   void discard(const std::string& file);
 
+  // Removes all of its own files but these.
+  void keep_only(const std::vector<std::string>& files);
+
   // Says in the marker how its owner ended, and leaves in the list only what is there. Without this it says "failed".
   void conclude(const std::string& standing);
 

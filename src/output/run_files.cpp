@@ -11,6 +11,7 @@
 #include "output/first_touch.h"
 #include "output/machine.h"
 #include "output/owned_directory.h"
+#include "output/run_checkpoint.h"
 #include "output/series.h"
 #include "output/validity_json.h"
 #include "scene/read.h"
@@ -29,13 +30,30 @@ std::string hexadecimal(std::uint64_t value) {
   return text;
 }
 
-std::vector<std::string> files_of(const Scene& scene) {
-  std::vector<std::string> files = Frames::files(scene.output.frames.size());
-  for (const char* name :
-       {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv", "scene.toml", "run.json"})
+// Those that a run goes on with after so many frames.
+std::vector<std::string> lasting_files(std::size_t frames) {
+  std::vector<std::string> files = Frames::files(frames);
+  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", checkpoint_name})
     files.emplace_back(name);
   return files;
 }
+
+std::vector<std::string> files_of(const Scene& scene) {
+  std::vector<std::string> files = lasting_files(scene.output.frames.size());
+  for (const char* name : {"state.csv", "scene.toml", "run.json"}) files.emplace_back(name);
+  return files;
+}
+
+// When a run is saved.
+class SaveClock {
+ public:
+  SaveClock(std::optional<double> interval, double now) : interval_(interval.value_or(infinity)) { saved(now); }
+  bool is_due(double t) const { return t >= next_; }
+  void saved(double t) { next_ = std::isfinite(interval_) ? (std::floor(t / interval_) + 1) * interval_ : infinity; }
+
+ private:
+  double interval_, next_ = infinity;  // s
+};
 
 void write_state(const fs::path& directory, const System& system, double t, const State& y) {
   const std::vector<Stress> stress = disc_stresses(system, t, y);
@@ -60,7 +78,7 @@ void write_text(const fs::path& file, const std::string& text) {
   out.finish();
 }
 
-RunOutcome run_in_own_directory(const RunRequest& request) {
+RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved) {
   const Scene& asked = request.scene;
   const Timing& time = asked.time;
   write_text(request.directory / "scene.toml", canonical_text(asked));
@@ -84,7 +102,10 @@ RunOutcome run_in_own_directory(const RunRequest& request) {
   const double began = cpu_seconds();
   std::optional<Prepared> prepared;
   try {
-    prepared = prepare(asked, [&](double t, double) { return request.progress("settling", t, asked.settle->limit); });
+    if (saved)
+      prepared.emplace(saved->prepared());
+    else
+      prepared = prepare(asked, [&](double t, double) { return request.progress("settling", t, asked.settle->limit); });
   } catch (const Interrupted& stopped) {
     return conclude("interrupted", stopped.what(), 0);
   } catch (const Divergence& failure) {
@@ -95,40 +116,60 @@ RunOutcome run_in_own_directory(const RunRequest& request) {
   json["discs"] = system.parts().disc.count();
   json["nodes"] = system.parts().node.count();
   json["links"] = system.parts().link.count();
-  json["state_size"] = system.size();
   json["settling_time"] = prepared->settling_time;
   json["settling_steps"] = prepared->settling_steps;
   json["settling_cpu_seconds"] = cpu_seconds() - began;
   json["surface"] = nullptr;
   if (prepared->surface) json["surface"] = *prepared->surface;
-  std::vector<std::string> warnings = scene_warnings(asked);
-  warnings.insert(warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
-  json["warnings"] = warnings;
+  std::vector<std::string> warnings;
+  if (!saved) {
+    warnings = scene_warnings(asked);
+    warnings.insert(warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
+  }
   for (const std::string& warning : warnings) request.warn(warning);
 
   const double cpu = cpu_seconds(), wall = wall_seconds();
   Validity validity(system, prepared->scene, [&](const std::string& text) {
-    json["warnings"].push_back(text);
+    warnings.push_back(text);
     request.warn(text);
   });
-  Series series(request.directory, prepared->scene, validity);
+  Series series(request.directory, prepared->scene, validity, saved ? &saved->series() : nullptr);
   const auto method = make_method(time.method, {time.relative_tolerance, time.absolute_tolerance, time.step});
+  RunPoint point;
+  FirstTouch touch;
+  const UnderWay under_way{asked, *prepared, *method, point, series, touch, validity, warnings};
+  if (saved) saved->restore(under_way);
+  SaveClock clock(asked.output.checkpoint, point.time);
+  bool end_in_sight = false;  // a run to a later end would go another way from here
+  const auto save_now = [&] {
+    save(request.directory, under_way);
+    clock.saved(point.time);
+  };
   const RunPlan plan{.start = 0,
                      .end = time.end,
                      .step = method->info().controlled ? time.max_step : time.step,
                      .stop = [&](double t) { return series.next_stop(t); },
                      .locate = time.locate,
+                     .point = &point,
+                     .before_end =
+                         [&] {
+                           save_now();
+                           end_in_sight = true;
+                         },
                      .validity = &validity,
                      .stops_when_interrupted = true};
   long steps = 0;
-  FirstTouch touch;
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
     series.see(system, t, now, report);
     touch.see(system, t, now);
+    if (point.steps == 0 || (clock.is_due(t) && !end_in_sight)) save_now();
     return ++steps % 64 != 0 || request.progress("running", t, time.end);
   });
+  if (end.ending == Ending::stopped && !end.cut && !end_in_sight) save_now();
   series.close(end.ending != Ending::stopped);
   write_state(request.directory, system, end.time, y);
+  json["warnings"] = warnings;
+  json["state_size"] = system.size();
   json["steps"] = end.steps;
   json["rhs_evaluations"] = method->evaluations() + end.event_evaluations;
   if (time.locate != Locate::none) json["events"] = end.events;
@@ -146,10 +187,19 @@ RunOutcome run_in_own_directory(const RunRequest& request) {
 
 }  // namespace
 
+bool has_checkpoint(const fs::path& directory) { return fs::exists(directory / checkpoint_name); }
+
 RunOutcome run_with_files(const RunRequest& request) {
   const DefaultFloatingPoint environment;
-  OwnedDirectory directory(request.directory, "run", files_of(request.scene));
-  RunOutcome outcome = run_in_own_directory(request);
+  if (request.resume) require_saved_run(request.directory, request.scene);
+  OwnedDirectory directory(request.directory, "run", files_of(request.scene),
+                           request.resume ? OwnedDirectory::Earlier::kept : OwnedDirectory::Earlier::replaced);
+  std::optional<SavedRun> saved;
+  if (request.resume) {
+    saved.emplace(request.directory, request.scene);
+    directory.keep_only(lasting_files(saved->series().frames.count));
+  }
+  RunOutcome outcome = run_in_own_directory(request, saved ? &*saved : nullptr);
   directory.conclude(outcome.ended);
   return outcome;
 }

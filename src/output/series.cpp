@@ -25,21 +25,47 @@ double displacement_of_first(const System& system, double t) {
 
 }  // namespace
 
-Series::Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity)
+void SeriesMemory::history(HistoryVisitor& visit) {
+  visit("bytes of plate_force.csv", force_bytes);
+  visit("bytes of energy.csv", energy_bytes);
+  visit("bytes of motion.csv", motion_bytes);
+  visit("bytes of events.csv", events_bytes);
+  frames.history(visit);
+  visit("rows", rows);
+  start.history(visit);
+}
+
+Series::Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity, const SeriesMemory* kept)
     : scene_(scene),
       slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
       validity_(validity),
       plates_(labels(scene.plate)),
       lattices_(labels(scene.lattice)),
-      force_(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]"),
-      energy_(directory / "energy.csv",
-              "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
-              "contact viscous [J],friction [J],rolling [J],tear [J],plate work [J],stiffening [J],residual [J]"),
-      motion_(directory / "motion.csv",
-              "t [s],px [kg m/s],py [kg m/s],L [kg m^2/s],contacts,overlap [m],relative overlap [-],speed [m/s]"),
-      events_(directory / "events.csv",
-              "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]"),
-      frames_(directory) {}
+      force_(OutputFile::begun(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]",
+                               kept ? &kept->force_bytes : nullptr)),
+      energy_(OutputFile::begun(
+          directory / "energy.csv",
+          "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
+          "contact viscous [J],friction [J],rolling [J],tear [J],plate work [J],stiffening [J],residual [J]",
+          kept ? &kept->energy_bytes : nullptr)),
+      motion_(OutputFile::begun(
+          directory / "motion.csv",
+          "t [s],px [kg m/s],py [kg m/s],L [kg m^2/s],contacts,overlap [m],relative overlap [-],speed [m/s]",
+          kept ? &kept->motion_bytes : nullptr)),
+      events_(OutputFile::begun(directory / "events.csv",
+                                "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]",
+                                kept ? &kept->events_bytes : nullptr)),
+      frames_(directory, kept ? &kept->frames : nullptr) {
+  if (!kept) return;
+  rows_ = kept->rows;
+  start_ = kept->start;
+  pictures_ = kept->frames.count;
+}
+
+SeriesMemory Series::memory() {
+  flush();
+  return {force_.bytes(), energy_.bytes(), motion_.bytes(), events_.bytes(), frames_.memory(), rows_, start_};
+}
 
 void Series::see(const System& system, double t, const State& y, const JumpReport& report) {
   for (const Tear& tear : report.torn) add_tear(system, tear);

@@ -14,12 +14,25 @@
 
 namespace furrow {
 
+// How far a series has come.
+struct SeriesMemory {
+  std::uint64_t force_bytes = 0, energy_bytes = 0, motion_bytes = 0, events_bytes = 0;
+  Frames::Memory frames;
+  long rows = 0;
+  Energies start;
+  void history(HistoryVisitor& visit);
+};
+
 class Series {
  public:
   // plate_force.csv, energy.csv, motion.csv, events.csv, frames/frames.csv and run.pvd of this scene, which must
-  // outlive the series, in `directory`.
-  // `validity` looks at the energy of each row.
-  Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity);
+  // outlive the series, in `directory`. They go on after what was kept, if there is anything. `validity` looks at the
+  // energy of each row.
+  Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity,
+         const SeriesMemory* kept = nullptr);
+
+  // All rows so far are in the files.
+  SeriesMemory memory();
 
   // Rows and frames that are due; a fixed step takes the accepted time nearest to what was asked for, a method that
   // chooses its steps has ended one there.
@@ -36,6 +49,7 @@ class Series {
 
  private:
   void add_rows(const System& system, double t, const State& y);
+  void flush();
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;

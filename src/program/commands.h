@@ -15,6 +15,7 @@ struct RunOptions {
   std::string scene;
   // What changes the scene, as it was given: what the texts must be stands in the scene's schema.
   std::optional<std::string> method, step, until, locate, threads;
+  std::string resume;     // directory of a run to go on with; empty: begin
   std::string directory;  // empty: runs/<name of the scene>
 };
 

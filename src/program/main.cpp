@@ -65,7 +65,11 @@ int parse_and_run(int argc, char** argv) {
       ->type_name("WORD");
   run->add_option("--threads", options.threads, "threads in one step, for beds of more than 4,096 discs")
       ->type_name("NUMBER");
-  run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")->type_name("DIR");
+  auto* out =
+      run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")->type_name("DIR");
+  run->add_option("--resume", options.resume, "go on with the run in this directory, from its last checkpoint")
+      ->type_name("DIR")
+      ->excludes(out);
 
   std::vector<std::string> scenes;
   auto* check = app.add_subcommand("check", "read scene files and say all that is wrong with them");

@@ -28,8 +28,11 @@ int exit_code_of(const RunOutcome& outcome) {
 
 RunOutcome run_one(const RunOptions& options, Progress& progress) {
   const std::string name = fs::path(options.scene).stem();
-  const fs::path directory = options.directory.empty() ? "runs" / fs::path(name) : fs::path(options.directory);
-  RunRequest request{.scene_file = options.scene, .scene = requested_scene(options), .directory = directory};
+  const bool resumes = !options.resume.empty();
+  const fs::path wanted = resumes ? options.resume : options.directory;
+  const fs::path directory = wanted.empty() ? "runs" / fs::path(name) : wanted;
+  RunRequest request{
+      .scene_file = options.scene, .scene = requested_scene(options), .directory = directory, .resume = resumes};
   request.progress = [&](const std::string& doing, double done, double total) {
     return progress.show(name, doing, done, total);
   };
@@ -43,7 +46,8 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
                  in_directory);
   if (outcome.ended == "interrupted")
     progress.say("furrow: " + name + " was " + outcome.reason + in_directory +
-                 ": the series that it had begun end there and keep the ending .partial");
+                 ": the series that it had begun end there and keep the ending .partial" +
+                 (has_checkpoint(directory) ? "; --resume " + directory.string() + " goes on with it" : ""));
   return outcome;
 }
 

@@ -168,9 +168,10 @@ struct Lattice {
 };
 
 struct Output {
-  double interval = 1e-3;        // s, between rows of plate_force.csv and energy.csv
-  std::vector<double> frames{};  // s, times of the pictures
-  bool energy = true;            // keep the energy ledger
+  double interval = 1e-3;              // s, between rows of plate_force.csv and energy.csv
+  std::vector<double> frames{};        // s, times of the pictures
+  bool energy = true;                  // keep the energy ledger
+  std::optional<double> checkpoint{};  // s, between checkpoints; left out: only at the start and at the end
 };
 
 // What this scene is known to do beyond the validity of its laws: it then neither warns nor ends the run. See

@@ -151,6 +151,7 @@ void describe(auto& v, Output& o) {
   v("interval", o.interval, "s", positive);
   v("frames", o.frames, "s", not_negative);
   v("energy", o.energy);
+  v("checkpoint", o.checkpoint, "s", positive);
 }
 
 void describe(auto& v, Allow& a) {

@@ -48,6 +48,21 @@ std::string contact_name(const System& system, const ContactId& c) {
   return own + (c.kind == disc_wall || c.kind == node_wall ? " and wall " : " and plate ") + std::to_string(c.b);
 }
 
+void Energies::history(HistoryVisitor& visit) {
+  visit("kinetic", kinetic);
+  visit("gravity", gravity);
+  visit("load", load);
+  visit("springs", springs);
+  visit("contact elastic", contact_elastic);
+  visit("link damping", link_damping);
+  visit("contact viscous", contact_viscous);
+  visit("friction", friction);
+  visit("rolling", rolling);
+  visit("tear", tear);
+  visit("plate work", plate_work);
+  visit("stiffening", stiffening);
+}
+
 double Energies::residual(const Energies& start) const {
   return (stored() - start.stored()) + (lost() - start.lost()) - (plate_work - start.plate_work) -
          (stiffening - start.stiffening);

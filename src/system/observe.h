@@ -30,6 +30,7 @@ struct Energies {
   double residual(const Energies& start) const;
   // No less than `live` can be: what it was, and what plates, gravity and loads have given since.
   double supplied(const Energies& start) const;
+  void history(HistoryVisitor& visit);
 };
 
 struct Momentum {

@@ -23,6 +23,28 @@ struct Settled {
   std::vector<std::string> warnings;
 };
 
+// What is watched while a scene settles: a bed is judged as it comes to lie, from the start of the run on. On the way
+// there discs with little damping fall through one another for a while, and that ends nothing.
+Scene watched_while_settling(Scene scene, const std::string& method, double step) {
+  scene.time.method = method;
+  scene.time.step = step;
+  if (!scene.allow) scene.allow.emplace();
+  scene.allow->overlap = infinity;
+  return scene;
+}
+
+// The greatest overlap while it settled, where that is more than the scene allows.
+std::string overlap_warning(const Validity& validity, const Scene& placed) {
+  Watched overlap = validity.watches()[static_cast<std::size_t>(WatchKind::overlap)];
+  overlap.allowed = placed.allow ? placed.allow->overlap : std::nullopt;
+  if (overlap.verdict() < Verdict::warned) return {};
+  Sentence text;
+  text.precision(3);
+  text << "while settling, at t = " << overlap.time << " s the overlap is " << overlap.worst
+       << " of the smaller radius (" << overlap.where << ")";
+  return text.str();
+}
+
 Settled settle(const Scene& placed, const SettleProgress& progress) {
   Settled result{System(placed), {}, 0, 0, {}};
   System& system = result.system;
@@ -30,9 +52,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   result.y = system.initial_state();
   const auto method = make_method("pece");
   const double step = placed.settle->step.value_or(placed.time.step);
-  Scene watched = placed;
-  watched.time.method = method->info().name;
-  watched.time.step = step;
+  const Scene watched = watched_while_settling(placed, method->info().name, step);
   Validity validity(system, watched,
                     [&](const std::string& text) { result.warnings.push_back("while settling, " + text); });
   const RunPlan plan{.start = 0, .end = placed.settle->limit, .step = step, .stop = {}, .validity = &validity};
@@ -48,6 +68,8 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     return !interrupted && t - slow_since < std::max(placed.settle->hold, first_look);
   });
   if (interrupted) throw Interrupted("interrupted while settling");
+  if (std::string warning = overlap_warning(validity, placed); !warning.empty())
+    result.warnings.push_back(std::move(warning));
   Sentence text;
   if (end.ending == Ending::diverged || end.ending == Ending::invalid) {
     text << "while settling, " << (end.ending == Ending::diverged ? "at t = " + shortest(end.time) + " s: " : "")
@@ -72,6 +94,15 @@ void refuse_bad_start(const Scene& scene) {
     throw std::invalid_argument("with its plates at their working depths: " + p.path + ": " + p.message);
 }
 
+// To their working depths.
+void lower_plates(Scene& scene, double surface) {
+  for (Plate& p : scene.plate) {
+    if (!p.working_depth) continue;
+    p.lower_edge = surface - *p.working_depth;
+    p.working_depth.reset();
+  }
+}
+
 }  // namespace
 
 System unsettled(Scene scene) {
@@ -80,15 +111,19 @@ System unsettled(Scene scene) {
   return System(place_packings(scene));
 }
 
+Prepared prepared_before(const Scene& scene, std::optional<double> surface) {
+  Scene ready = scene;
+  if (surface) lower_plates(ready, *surface);
+  ready = place_packings(ready);
+  System system(ready);
+  State y = system.initial_state();
+  return {std::move(ready), std::move(system), std::move(y), surface, 0, 0, {}};
+}
+
 Prepared prepare(const Scene& scene, const SettleProgress& progress) {
   const DefaultFloatingPoint environment;
+  if (!scene.settle) return prepared_before(scene, {});
   Scene ready = scene;
-  if (!scene.settle) {
-    ready = place_packings(ready);
-    System system(ready);
-    State y = system.initial_state();
-    return {std::move(ready), std::move(system), std::move(y), {}, 0, 0, {}};
-  }
   const auto needs_surface = [](const Plate& p) { return p.working_depth.has_value(); };
   Prepared result{{}, System(Scene{}), {}, {}, 0, 0, {}};
   if (std::any_of(ready.plate.begin(), ready.plate.end(), needs_surface)) {
@@ -97,11 +132,7 @@ Prepared prepare(const Scene& scene, const SettleProgress& progress) {
     const Settled bed = settle(place_packings(without), progress);
     result.surface = surface_height(bed.system, bed.y);
     result.settling_steps = bed.steps;
-    for (Plate& p : ready.plate) {
-      if (!p.working_depth) continue;
-      p.lower_edge = *result.surface - *p.working_depth;
-      p.working_depth.reset();
-    }
+    lower_plates(ready, *result.surface);
   }
   if (result.surface) refuse_bad_start(ready);
   result.scene = place_packings(ready);

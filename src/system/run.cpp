@@ -115,12 +115,12 @@ class Watch {
 // A controlled method that takes ever shorter steps would never come to the end, and never say so.
 class Pace {
  public:
-  Pace(const RunPlan& plan, double start) : end_(plan.end), since_(start) {}
+  Pace(const RunPlan& plan, RunPoint& at) : end_(plan.end), at_(at) {}
 
-  void check(double t) {
-    if (++steps_ % looks_every != 0) return;
-    const double left = (end_ - t) / (t - since_) * looks_every;
-    since_ = t;
+  void check() {
+    if (at_.steps == 0 || at_.steps % looks_every != 0) return;
+    const double left = (end_ - at_.time) / (at_.time - at_.paced) * looks_every;
+    at_.paced = at_.time;
     if (!(left > most_steps)) return;
     Sentence text;
     text << "the last " << looks_every << " steps led nowhere: at their pace " << left
@@ -131,8 +131,8 @@ class Pace {
  private:
   static constexpr long looks_every = 2000;
   static constexpr double most_steps = 1e9;
-  double end_, since_;  // s
-  long steps_ = 0;
+  double end_;  // s
+  RunPoint& at_;
 };
 
 // What a run that has blown up was driven by, as far as the last good state shows it.
@@ -154,6 +154,7 @@ void RunPoint::history(HistoryVisitor& visit) {
   visit("begun", begun);
   visit("time", time);
   visit("steps", steps);
+  visit("paced", paced);
   events.history(visit);
 }
 
@@ -168,7 +169,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   const Watch watch(system);
   RunPoint own;
   RunPoint& at = plan.point ? *plan.point : own;
-  if (!at.begun) at.time = plan.start;
+  if (!at.begun) at.time = at.paced = plan.start;
   RunEnd end;
   const bool fixed = !method.info().controlled;
   const double tiny = 1e-9 * plan.step;
@@ -181,7 +182,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     if (const std::string complaint = watch.complaint(step, body); !complaint.empty()) throw Divergence(complaint);
   };
   EventSteps stepper(system, method, plan.locate, check, plan.validity, at.events);
-  Pace pace(plan, at.time);
+  Pace pace(plan, at);
   const auto accept = [&](const JumpReport& report) {
     before = &y;
     copied.resize(y.size());
@@ -191,7 +192,6 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       end.ending = Ending::invalid;
       end.reason = plan.validity->failure() + driven_by(system, at.time, y, -1, method.info().name);
     }
-    pace.check(at.time);
     if (plan.stops_when_interrupted && interrupt_requested() && end.ending == Ending::finished)
       end.ending = Ending::stopped;
     if (!plan.stops_when_interrupted) throw_if_interrupted();
@@ -210,8 +210,9 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       double next = plan.start + static_cast<double>(at.steps + 1) * plan.step;
       if (!fixed) next = std::min(at.time + plan.step, plan.stop ? plan.stop(at.time) : plan.end);
       if (next > plan.end - tiny) next = plan.end;
-      if (next == plan.end && !end_in_sight && plan.before_end) plan.before_end(y);
+      if (next == plan.end && !end_in_sight && plan.before_end) plan.before_end();
       end_in_sight = next == plan.end || end_in_sight;
+      pace.check();
       report = {};
       const double h = fixed && next != plan.end ? plan.step : next - at.time;
       before = copies ? &copied : &y;

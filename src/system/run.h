@@ -30,6 +30,7 @@ struct RunPoint {
   bool begun = false;  // the jump at the start is done, and reported
   double time = 0;     // s
   long steps = 0;
+  double paced = 0;  // s, when the pace was looked at last
   EventMemory events;
   void history(HistoryVisitor& visit);
 };
@@ -44,9 +45,8 @@ struct RunPlan {
 
   // Called before the first step that has the run's end in sight. From there a longer run would go other ways: on a
   // fixed step's grid, past a controlled method's last stop.
-  std::function<void(const State& y)> before_end{};
-  Validity* validity = nullptr;  // watches each accepted state, and may end the run
-
+  std::function<void()> before_end{};
+  Validity* validity = nullptr;         // watches each accepted state, and may end the run
   bool stops_when_interrupted = false;  // else an interrupt is thrown, see interrupt.h
 };
 

@@ -142,6 +142,41 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
   for (const double mass : parts.node.mass) lightest_ = std::min(lightest_, mass);
 }
 
+void Watched::history(HistoryVisitor& visit) {
+  visit("worst", worst);
+  visit("time", time);
+  visit("where", where);
+  visit("times", times);
+}
+
+void RunExtremes::history(HistoryVisitor& visit) {
+  visit.list("plates", plate, [&](PlateForce& p) {
+    visit("force", p.force);
+    visit("fx", p.fx);
+    visit("fy", p.fy);
+    visit("time", p.time);
+  });
+  visit("speed", speed);
+  visit("speed time", speed_time);
+  visit("fastest", fastest);
+}
+
+void Validity::history(HistoryVisitor& visit) {
+  for (Watched& w : watch_) w.history(visit);
+  extremes_.history(visit);
+  visit("failure", failure_);
+  visit("started", started_);
+  start_.history(visit);
+  visit("supplied", supplied_);
+  visit("plate power", plate_power_);
+  visit("since booked", since_booked_);
+  visit("stepped overlap", stepped_overlap_);
+  visit("stepped contacts", stepped_contacts_);
+  visit("arrival speed", arrival_speed_);
+  visit("known overlap", system_.survey().known_overlap);
+  visit("reach", system_.survey().reach);
+}
+
 // Keeps the worst.
 template <class Where>
 void Validity::look(WatchKind kind, double t, double value, const Where& where) {

@@ -55,6 +55,7 @@ struct Watched {
   std::string where;
   long times = 0;  // looks at which it was above what warns
   Verdict verdict() const;
+  void history(HistoryVisitor& visit);
 };
 
 // The greatest of all steps.
@@ -66,6 +67,7 @@ struct RunExtremes {
   std::vector<PlateForce> plate;
   double speed = 0, speed_time = 0;  // m/s, of a disc or node; s
   std::string fastest;
+  void history(HistoryVisitor& visit);
 };
 
 class Validity {
@@ -81,6 +83,8 @@ class Validity {
 
   // Looks at the energy; `seen` is of the state at t.
   void book(double t, const Observation& seen);
+
+  void history(HistoryVisitor& visit);
 
   // Why the run should end; empty if it need not.
   const std::string& failure() const { return failure_; }

@@ -108,6 +108,26 @@ std::string name_of(const testing::TestParamInfo<Locate>& p) {
 
 INSTANTIATE_TEST_SUITE_P(Locating, GoesOn, testing::Values(Locate::none, Locate::tears, Locate::all), name_of);
 
+// A last step is cut to end where the run does; from the one before a longer run goes on as if it had never ended.
+TEST_P(GoesOn, BeyondItsEndByTheBitsOfALongerRun) {
+  int methods = 0;
+  for (const MethodInfo& info : method_catalogue()) {
+    if (info.conservative) continue;
+    Setting setting{info.name, GetParam(), 0.00123, 1e-4};
+    Running first(small_busy_scene(), setting);
+    course_of(first, setting, false);
+    setting.end = 0.0025;
+    Running longer(small_busy_scene(), setting);
+    const Course whole = course_of(longer, setting, false);
+    const Course rest = course_from(small_busy_scene(), setting, first.before_end);
+    ASSERT_GT(rest.bits.size(), 2u) << info.name;
+    ASSERT_LT(rest.bits.size(), whole.bits.size()) << info.name;
+    EXPECT_TRUE(std::equal(rest.bits.rbegin(), rest.bits.rend(), whole.bits.rbegin())) << info.name;
+    ++methods;
+  }
+  EXPECT_EQ(methods, count_of(false));
+}
+
 TEST(History, SavingDisturbsNothing) {
   for (const MethodInfo& info : method_catalogue()) {
     if (info.conservative) continue;

@@ -22,6 +22,7 @@ struct Running {
   std::unique_ptr<Method> method;
   State y;
   RunPoint point{};
+  std::string before_end;  // saved before the first step that has the end in sight
 
   Running(const Scene& scene, const Setting& setting)
       : system(scene), method(make_method(setting.method, {.first_step = setting.step})), y(system.initial_state()) {}
@@ -42,6 +43,11 @@ struct Running {
     plan.step = setting.step;
     plan.locate = setting.locate;
     plan.point = &point;
+    plan.before_end = [this] {
+      HistoryWriter writer;
+      history(writer);
+      before_end = writer.bytes();
+    };
     // Stops as those of output rows, so that a controlled method's step is cut now and then.
     plan.stop = [&](double t) {
       return std::min(setting.end, (std::floor(t / (7 * setting.step)) + 1) * 7 * setting.step);

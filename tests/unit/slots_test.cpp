@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "resumed.h"
+#include "scene/read.h"
+#include "system/observe.h"
+#include "system/prepare.h"
 
 namespace furrow {
 namespace {
@@ -99,6 +102,19 @@ TEST(Slots, AreThereInTheStateThatADivergenceIsSeenIn) {
     EXPECT_EQ(end.time, seen_at);
   }
   EXPECT_GT(failed, 3);
+}
+
+// The paper's second scene with as little damping as an ordinary material has: its soft discs fall on one another and
+// are near to more than five others each for a while.
+TEST(Slots, SufficeForABedThatSettlesWithOrdinaryDamping) {
+  for (const double damping : {0.2, 0.5}) {
+    Scene scene = read_scene(FURROW_SOURCE_DIR "/validation/scenes/scenario_2.toml");
+    scene.contact.damping_factor = damping;
+    const int foreseen = unsettled(scene).spring_count();
+    const Prepared settled = prepare(scene);
+    EXPECT_GT(settled.system.spring_count(), foreseen);
+    EXPECT_LT(greatest_speed(settled.system, settled.y, scene.settle->loose.value_or(0)), scene.settle->speed);
+  }
 }
 
 }  // namespace
