@@ -68,7 +68,7 @@ RC_GTEST_PROP(SceneRoundTrip, GivesTheSameSceneAndTheSameHash, ()) {
   const std::vector<std::pair<const char*, const char*>> options = {{"time.method", "rk4"},
                                                                     {"time.locate", "all"},
                                                                     {"search.threads", "2"},
-                                                                    {"time.step", "0.000012345678901234567"}};
+                                                                    {"time.step", "0.00000012345678901234567"}};
   const auto& [path, value] = *rc::gen::elementOf(options);
   RC_ASSERT(set_key(scene, path, value).empty());
   for (const Problem& p : problems_of(scene)) RC_FAIL(p.path + ": " + p.message);
