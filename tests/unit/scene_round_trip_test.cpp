@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <concepts>
 #include <optional>
 
@@ -59,11 +60,8 @@ RC_GTEST_PROP(SceneRoundTrip, GivesTheSameSceneAndTheSameHash, ()) {
   Scene scene = read_scene(source_dir / "validation/scenes" / (name + ".toml"));
   Shaker shaker;
   describe(shaker, scene);
-  for (Material& m : scene.material)
-    if (m.name == "rigid")
-      m.rigid = true;
-    else
-      m.rigid = false;
+  for (Material& m : scene.material) m.rigid = m.name == "rigid";
+  for (Packing& p : scene.packing) p.radius_max = std::max(p.radius_min, p.radius_max);
   std::erase_if(scene.output.frames, [&](double t) { return t > scene.time.end; });
   const std::vector<std::pair<const char*, const char*>> options = {{"time.method", "rk4"},
                                                                     {"time.locate", "all"},
