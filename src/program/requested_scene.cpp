@@ -82,7 +82,7 @@ std::vector<std::string> checked_warnings(const std::string& scene) {
   std::vector<std::string> warnings = scene_warnings(file.scene);
   try {
     if (!place_packings(file.scene, most_attempts_of_a_check))
-      warnings.push_back("packing: whether its discs find room was not tried to the end");
+      warnings.emplace_back("packing: whether its discs find room was not tried to the end");
   } catch (const NoRoom& full) {
     file.fault(item("packing", full.packing()), full.why());
   }

@@ -48,13 +48,26 @@ void print_standing(const StabilityOptions& options, const Scene& scene, const s
               100 * s.driver.share);
 }
 
+constexpr const char* own_step = " chooses its own step: it has no largest stable one";
+
+void refuse_if_none_has_a_limit(const std::vector<std::string>& methods) {
+  const auto controlled = [](const std::string& method) { return make_method(method)->info().controlled; };
+  if (!methods.empty() && std::count_if(methods.begin(), methods.end(), controlled) == std::ssize(methods))
+    throw std::invalid_argument(methods.front() + own_step);
+}
+
+// One method alone is refused, one of several is skipped.
+std::string reason_to_skip(const MethodInfo& info, const System& system, std::size_t wanted) {
+  if (info.controlled) return info.name + own_step;
+  std::string why = refusal(info, system);
+  if (wanted == 1 && !why.empty()) throw std::invalid_argument(why);
+  return why;
+}
+
 }  // namespace
 
 int stability_command(const StabilityOptions& options) {
-  for (const std::string& method : options.methods) {
-    if (make_method(method)->info().controlled)
-      throw std::invalid_argument(method + " chooses its own step: it has no largest stable one");
-  }
+  refuse_if_none_has_a_limit(options.methods);
   const Scene scene = requested_scene({.scene = options.scene});
   if (!(options.at >= 0 && options.at <= scene.time.end))
     throw std::invalid_argument("--at: must be from 0 to the end of the run, " + shortest(scene.time.end) + " s");
@@ -70,7 +83,10 @@ int stability_command(const StabilityOptions& options) {
     const auto& wanted = options.methods;
     const bool named = std::find(wanted.begin(), wanted.end(), info.name) != wanted.end();
     if ((!named && !wanted.empty()) || (!named && !studies::has_stable_step(s, info))) continue;
-    if (const std::string why = refusal(info, s.system); !why.empty()) throw std::invalid_argument(why);
+    if (const std::string why = named ? reason_to_skip(info, s.system, wanted.size()) : ""; !why.empty()) {
+      std::printf("%-28s skipped: %s\n", info.name.c_str(), why.c_str());
+      continue;
+    }
     throw_if_interrupted();
     const studies::StableStep step = studies::stable_step(s, info.name);
     const studies::Books books = studies::run_on(s, info.name, own);

@@ -69,7 +69,7 @@ std::string misspelt(const CLI::App& app, int argc, char** argv) {
     if (word == "--") break;
     if (word.starts_with("--") || is_flag(word)) {
       const std::string of = command ? "furrow " + command->get_name() : "furrow";
-      const std::string fault = unknown_option(word.substr(0, word.find('=')), of, command ? *command : app);
+      std::string fault = unknown_option(word.substr(0, word.find('=')), of, command ? *command : app);
       if (!fault.empty()) return fault;
     } else if (!command && !word.starts_with('-')) {
       const std::vector<std::string> names = names_of_commands(app);
@@ -83,7 +83,7 @@ std::string misspelt(const CLI::App& app, int argc, char** argv) {
 
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   const std::string help = "; see " + whole(app) + " --help";
-  const std::string what = error.what();
+  std::string what = error.what();
   const std::string subject = what.substr(0, what.find(':'));
   if (error.get_name() == "RequiredError") {
     if (!command_of(app)) return "a command is missing" + help;

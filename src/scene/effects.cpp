@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scene/findings.h"
+#include "scene/mechanism.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -41,6 +42,18 @@ void judge_materials(const Scene& s, Findings& found) {
     if (!used.contains(s.material[i].name)) found.warning(item("material", i), "no part is of it");
 }
 
+// Of a large lattice only the rule is known: without shear links its cells fold up.
+void judge_mechanism(const std::string& path, const Lattice& l, Findings& found) {
+  const double nodes = static_cast<double>(l.rows) * l.columns;
+  if (nodes <= most_nodes_of_a_mechanism) {
+    if (const int free = free_motions(l); free > 0)
+      found.warning(path, std::to_string(free) + (free == 1 ? " of its motions meets" : " of its motions meet") +
+                              " no stiffness: it folds up freely");
+  } else if (l.structural.stiffness > 0 && l.shear.stiffness == 0) {
+    found.warning(path, "without stiffness of its shear links it folds up freely");
+  }
+}
+
 void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Findings& found) {
   const auto acts = [](const LinkKind& k) { return k.stiffness > 0 || k.damping > 0; };
   const bool strand = l.rows == 1 || l.columns == 1;
@@ -52,9 +65,7 @@ void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Fi
                   "a strand of one row has no stiffness across itself: its bending links lie along it");
   if (acts(l.shear) && strand) found.warning(path + ".shear", "makes no links: there is one row or one column");
   if (acts(l.structural) && l.rows * l.columns == 1) found.warning(path + ".structural", "makes no links of one node");
-  const bool held = !l.fixed_rows.empty() && !l.fixed_columns.empty();
-  if (!strand && !held && l.structural.stiffness > 0 && l.shear.stiffness == 0)
-    found.warning(path, "without stiffness of its shear links it folds up freely");
+  if (!strand) judge_mechanism(path, l, found);
   for (const auto& [kind, k] :
        {std::pair{".structural", &l.structural}, {".shear", &l.shear}, {".bending", &l.bending}})
     if (k->stiffness == 0 && k->strength < infinity)

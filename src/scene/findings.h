@@ -1,6 +1,7 @@
 // What is found in a scene: faults, and what may be meant but is worth a warning.
 #pragma once
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
@@ -62,16 +63,14 @@ class Findings {
 
   bool known(const std::string& path) const { return !unread_.touches(path); }
   bool any_error() const {
-    for (const Finding& f : list_)
-      if (!f.warning) return true;
-    return false;
+    return std::any_of(list_.begin(), list_.end(), [](const Finding& f) { return !f.warning; });
   }
   const std::vector<Finding>& list() const { return list_; }
 
  private:
   void add(Finding f) {
-    for (const std::string& other : f.others)
-      if (!known(other)) return;
+    const auto& others = f.others;
+    if (!std::all_of(others.begin(), others.end(), [&](const std::string& other) { return known(other); })) return;
     if (known(f.path)) list_.push_back(std::move(f));
   }
 

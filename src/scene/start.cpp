@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -29,7 +30,11 @@ constexpr double node_depth = 0.1;  // of the contact radius
 constexpr int most_told = 5;        // faults of one kind
 constexpr double most_pairs = 1e7;  // of border nodes of two lattices
 
-std::string metres(double length) { return shortest(length) + " m"; }
+std::string metres(double length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g m", length);
+  return text;
+}
 
 class StartJudge {
  public:

@@ -174,5 +174,43 @@ TEST_F(Input, CheckFindsWhatRunWouldRefuse) {
       << unfit.err;
 }
 
+TEST_F(Input, CheckRunAndExplainWarnOfWhatMayBeMeant) {
+  const std::string scene = R"(title = "Über"
+[time]
+end = 1e-3
+step = 1e-4
+[[material]]
+name = "Löß"
+young = 2e5
+poisson = 0.3
+[[disc]]
+position = [0.0, 0.1]
+radius = 0.1
+material = "Löß"
+[[disc]]
+position = [0.0, 0.28]
+radius = 0.1
+material = "Löß"
+)";
+  put("overlap.toml", scene);
+  const std::string warning = "1 contact overlaps at the start";
+  const Result checked = furrow("check overlap.toml");
+  EXPECT_EQ(checked.code, 0);
+  EXPECT_NE(checked.err.find("overlap.toml: warning: " + warning), std::string::npos) << checked.err;
+  EXPECT_NE(furrow("explain overlap.toml").out.find("warning: " + warning), std::string::npos);
+  const Result run = furrow("run overlap.toml --out here");
+  EXPECT_NE(run.err.find(warning), std::string::npos) << run.err;
+  EXPECT_NE(json_of("here")["warnings"].dump().find(warning), std::string::npos);
+  EXPECT_EQ(json_of("here")["title"], "Über");
+}
+
+TEST_F(Input, AMethodWithoutALimitIsSkippedAmongOthersAndRefusedAlone) {
+  const Result among = furrow("stability " + scene("cantilever") + " --method rkc --method pece");
+  EXPECT_EQ(among.code, 0) << among.err;
+  EXPECT_NE(among.out.find("skipped: rkc chooses its own step"), std::string::npos) << among.out;
+  EXPECT_NE(among.out.find("\npece "), std::string::npos) << among.out;
+  expect_refusal("stability " + scene("cantilever") + " --method rkc", "rkc chooses its own step");
+}
+
 }  // namespace
 }  // namespace furrow::test

@@ -180,7 +180,7 @@ TEST(SceneEffects, AreMissedByWordWhatIsGivenForNothing) {
   EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].rows = 2, s.lattice[0].bending.stiffness = 1; }),
             Lines{"lattice[0].bending: makes no links: there are fewer than 3 rows and fewer than 3 columns"});
   EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].structural.stiffness = 1; }),
-            Lines{"lattice[0]: without stiffness of its shear links it folds up freely"});
+            Lines{"lattice[0]: 2 of its motions meet no stiffness: it folds up freely"});
 }
 
 }  // namespace
