@@ -49,7 +49,6 @@ class Series {
 
  private:
   void add_rows(const System& system, double t, const State& y);
-  void flush();
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;
