@@ -83,11 +83,12 @@ bool crosses_plate(const System& system, const Step& s, const ContactId& contact
 
 bool crosses_border(const System& system, const Step& s, const Survey::Near& near) {
   const BorderArrays& border = system.parts().border;
-  for (const int segment : {near.segment - 1, near.segment, near.segment + 1}) {
-    if (segment < 0 || segment >= border.count() || border.lattice[segment] != border.lattice[near.segment]) continue;
-    if (crosses_segment(system, s, near.contact.a, segment)) return true;
-  }
-  return false;
+  const auto crosses = [&](int segment) {
+    const bool there =
+        segment >= 0 && segment < border.count() && border.lattice[segment] == border.lattice[near.segment];
+    return there && crosses_segment(system, s, near.contact.a, segment);
+  };
+  return crosses(near.segment - 1) || crosses(near.segment) || crosses(near.segment + 1);
 }
 
 ContactId stepped_over(const System& system, const Step& s) {

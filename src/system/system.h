@@ -144,7 +144,7 @@ class System : public OdeSystem {
     double* spring = nullptr;                // its springs
     bool relaxed = false;
 
-    void make_room(const Candidates& list, int first, int last);
+    void make_room(const Candidates& list, int first, int last) const;
 
     void see(Candidates& list, int candidate, bool near);
     void relax(int slot);

@@ -36,7 +36,7 @@ void TouchBlock::keep_touching() {
 }
 
 // For the candidates [first, last), should all of them want a slot.
-void System::Slots::make_room(const Candidates& list, int first, int last) {
+void System::Slots::make_room(const Candidates& list, int first, int last) const {
   const auto left = static_cast<std::ptrdiff_t>(unused.size());
   if (left >= last - first) return;
   const auto wanting =

@@ -48,7 +48,10 @@ Scene wide(Scene scene) {
   return scene;
 }
 
-std::uint64_t hash_after_run(const Scene& scene) {
+// The question is whether the bits are the same, not whether the laws hold.
+std::uint64_t hash_after_run(Scene scene) {
+  constexpr double any = 1e9;
+  scene.allow = furrow::Allow{any, any, any, any, true, true, true};
   furrow::Prepared prepared = furrow::prepare(scene);
   const auto method =
       furrow::make_method(scene.time.method, {.relative = 1e-2, .absolute = 1e-4, .first_step = scene.time.step});
