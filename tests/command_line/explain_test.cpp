@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "outside.h"
+#include "program.h"
 
 namespace {
 
-class Explain : public furrow::test::Outside {
+class Explain : public furrow::test::Program {
  protected:
   // What `explain` says of the scene; its exit code is kept.
   std::string explain(const std::string& scene, const std::string& options = "") {
-    write("s.toml", scene);
-    code_ = furrow("explain s.toml " + options);
+    put("s.toml", scene);
+    code_ = furrow("explain s.toml " + options).code;
     errors_ = err();
     return out();
   }

@@ -124,6 +124,10 @@ class Program : public testing::Test {
     return {code_of(status), text_of(directory_ / "stdout.txt"), text_of(directory_ / "stderr.txt")};
   }
 
+  // What it said last.
+  std::string out() const { return text("stdout.txt"); }
+  std::string err() const { return text("stderr.txt"); }
+
   // The same with streams of its own: "run x.toml >/dev/full".
   int code_of_line(const std::string& arguments, const std::string& before = "") const {
     return code_of(

@@ -6,17 +6,19 @@
 #include <sstream>
 
 #include "methods/method.h"
-#include "outside.h"
 #include "page/seal.h"
+#include "program.h"
 
 namespace {
 
+using furrow::test::text_of;
+
 namespace fs = std::filesystem;
 
-class Judging : public furrow::test::Outside {
+class Judging : public furrow::test::Program {
  protected:
   void SetUp() override {
-    Outside::SetUp();
+    Program::SetUp();
     fs::create_directory(directory_ / "scenes");
     for (const char* number : {"1", "2", "3"}) write_scene(number, "1e-4");
   }
@@ -48,16 +50,16 @@ class Judging : public furrow::test::Outside {
 
 TEST_F(Judging, AReportIsGoodOnlyIfItsChecksAre) {
   write_checks(true);
-  ASSERT_EQ(furrow("report --scenes scenes --out page --checks checks.json"), 0) << err();
+  ASSERT_EQ(furrow("report --scenes scenes --out page --checks checks.json").code, 0) << err();
   EXPECT_EQ(out(), "page/index.html\n");
   EXPECT_TRUE(fs::exists(directory_ / "page/index.html"));
   write_checks(false);
-  EXPECT_EQ(furrow("report --scenes scenes --out page --reuse --checks checks.json"), 1) << err();
+  EXPECT_EQ(furrow("report --scenes scenes --out page --reuse --checks checks.json").code, 1) << err();
   EXPECT_EQ(out(), "page/index.html\n");
 }
 
 TEST_F(Judging, AReportReusesWhatFinishedAndNothingElse) {
-  ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
+  ASSERT_EQ(furrow("report --scenes scenes --out page").code, 0) << err();
   const auto run = [&](int number) {
     return directory_ / "page" / ("scenario_" + std::to_string(number)) / "run.json";
   };
@@ -67,24 +69,24 @@ TEST_F(Judging, AReportReusesWhatFinishedAndNothingElse) {
   json["ended"] = "interrupted";
   std::ofstream(run(2)) << json.dump(2);
   fs::last_write_time(run(2), second);
-  ASSERT_EQ(furrow("report --scenes scenes --out page --reuse"), 0) << err();
+  ASSERT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
   EXPECT_EQ(written(1), first);
   EXPECT_EQ(written(3), third);
   EXPECT_NE(written(2), second);
   EXPECT_EQ(nlohmann::json::parse(text_of(run(2)))["ended"], "finished");
-  ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
+  ASSERT_EQ(furrow("report --scenes scenes --out page").code, 0) << err();
   EXPECT_NE(written(1), first);
 }
 
 TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
-  ASSERT_EQ(furrow("report --scenes scenes --out page"), 0) << err();
+  ASSERT_EQ(furrow("report --scenes scenes --out page").code, 0) << err();
   const fs::path file = directory_ / "page/scenario_2/run.json";
   const std::string sound = text_of(file);
   for (const char* key : {"scene_hash", "method", "step", "sources", "compiler", "flags"}) {
     auto json = nlohmann::json::parse(sound);
     json[key] = "another";
     std::ofstream(file) << json.dump(2);
-    ASSERT_EQ(furrow("report --scenes scenes --out page --reuse"), 0) << err();
+    ASSERT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
     EXPECT_NE(err().find("page/scenario_2: run again: " + std::string(key) + " is \"another\""), std::string::npos)
         << err();
     EXPECT_EQ(nlohmann::json::parse(text_of(file))[key], nlohmann::json::parse(sound)[key]);
@@ -93,7 +95,7 @@ TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
 
 TEST_F(Judging, AReportNamesWhatIsMissingAndEndsWithOne) {
   fs::create_directory(directory_ / "studies");
-  EXPECT_EQ(furrow("report --scenes scenes --out page --studies studies --faults faults.json"), 1);
+  EXPECT_EQ(furrow("report --scenes scenes --out page --studies studies --faults faults.json").code, 1);
   const std::string page = text_of(directory_ / "page/index.html");
   for (const char* file : {"faults.json", "studies/order.json", "studies/ensemble.json"}) {
     EXPECT_NE(err().find("missing on the page: cannot read " + std::string(file)), std::string::npos) << err();
@@ -104,20 +106,20 @@ TEST_F(Judging, AReportNamesWhatIsMissingAndEndsWithOne) {
 TEST_F(Judging, AReportOfARunThatDivergedExitsThreeAndSaysWhich) {
   write_scene("1", "0.05", "1.2");
   write_checks(false);
-  EXPECT_EQ(furrow("report --scenes scenes --out page --checks checks.json"), 3) << err();
+  EXPECT_EQ(furrow("report --scenes scenes --out page --checks checks.json").code, 3) << err();
   EXPECT_NE(err().find("scenario_1 is invalid"), std::string::npos) << err();
   EXPECT_TRUE(fs::exists(directory_ / "page/index.html"));
 }
 
 TEST_F(Judging, AReportWithoutAScenesFileBeginsNothing) {
   fs::remove(directory_ / "scenes/scenario_1.toml");
-  EXPECT_EQ(furrow("report --scenes scenes --out page"), 4) << err();
+  EXPECT_EQ(furrow("report --scenes scenes --out page").code, 4) << err();
   EXPECT_FALSE(fs::exists(directory_ / "page"));
 }
 
 // Name, order, evaluations and kind of step of each are those of the catalogue, one a line, own ones first.
 TEST_F(Judging, MethodsAreATableOfTheCatalogue) {
-  ASSERT_EQ(furrow("methods"), 0);
+  ASSERT_EQ(furrow("methods").code, 0);
   std::istringstream lines(out());
   std::string line;
   std::getline(lines, line);
@@ -155,11 +157,11 @@ TEST_F(Judging, MethodsAreATableOfTheCatalogue) {
 }
 
 TEST_F(Judging, StudiesAreListedAndAnUnknownOneIsRefused) {
-  ASSERT_EQ(furrow("study"), 0);
+  ASSERT_EQ(furrow("study").code, 0);
   for (const char* name : {"order", "stability", "work_precision", "need", "speed", "geometry", "convergence",
                            "ensemble", "statements", "outlook"})
     EXPECT_NE(("\n" + out()).find(std::string("\n") + name + " "), std::string::npos) << name;
-  EXPECT_EQ(furrow("study ordre"), 2);
+  EXPECT_EQ(furrow("study ordre").code, 2);
   EXPECT_NE(err().find("no study 'ordre'; there are order,"), std::string::npos) << err();
 }
 

@@ -5,9 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "outside.h"
+#include "program.h"
 
 namespace {
+
+using furrow::test::text_of;
 
 // 800 N/m, 2 kg, omega = 20 rad/s; with damping 8 N s/m lambda = -2 +- 19.9 i.
 std::string spring(double damping, double step) {
@@ -21,7 +23,7 @@ std::string spring(double damping, double step) {
   return text.str();
 }
 
-class StepCommands : public furrow::test::Outside {
+class StepCommands : public furrow::test::Program {
  protected:
   struct Row {
     std::string predicted, measured, rest;
@@ -42,8 +44,8 @@ class StepCommands : public furrow::test::Outside {
 };
 
 TEST_F(StepCommands, StabilityKnowsTheSpringsEigenvalueAndItsLimits) {
-  write("s.toml", spring(8, 1e-2));
-  ASSERT_EQ(furrow("stability s.toml"), 0) << err();
+  put("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("stability s.toml").code, 0) << err();
   EXPECT_NE(out().find("at t = 0 s "), std::string::npos);
   double real = 0, imaginary = 0;
   ASSERT_EQ(std::sscanf(out().c_str() + out().find("lambda ="), "lambda = %lf %lf", &real, &imaginary), 2) << out();
@@ -64,8 +66,8 @@ TEST_F(StepCommands, StabilityKnowsTheSpringsEigenvalueAndItsLimits) {
 }
 
 TEST_F(StepCommands, StabilityOfALongStepIsUnstableForThoseWhoseLimitItExceeds) {
-  write("s.toml", spring(0, 0.12));
-  ASSERT_EQ(furrow("stability s.toml --method verlet rk4"), 0) << err();
+  put("s.toml", spring(0, 0.12));
+  ASSERT_EQ(furrow("stability s.toml --method verlet rk4").code, 0) << err();
   EXPECT_NEAR(std::stod(row("verlet").predicted), 0.1, 1e-3);
   EXPECT_NE(row("verlet").rest.find("UNSTABLE"), std::string::npos);
   EXPECT_NEAR(std::stod(row("rk4").predicted), std::sqrt(8.0) / 20, 2e-3);
@@ -74,58 +76,58 @@ TEST_F(StepCommands, StabilityOfALongStepIsUnstableForThoseWhoseLimitItExceeds) 
 }
 
 TEST_F(StepCommands, StabilityOfAnImplicitMethodIsAnyStep) {
-  write("s.toml", spring(8, 1e-2));
-  ASSERT_EQ(furrow("stability s.toml --method odeint_implicit_euler"), 0) << err();
+  put("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("stability s.toml --method odeint_implicit_euler").code, 0) << err();
   EXPECT_EQ(row("odeint_implicit_euler").measured, "any") << out();
 }
 
 TEST_F(StepCommands, StabilityAtALaterTimeIsOfTheStateThere) {
-  write("s.toml", spring(8, 1e-2));
-  ASSERT_EQ(furrow("stability s.toml --at 1.5 --method rk4"), 0) << err();
+  put("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("stability s.toml --at 1.5 --method rk4").code, 0) << err();
   EXPECT_NE(out().find("at t = 1.5 s "), std::string::npos) << out();
-  EXPECT_EQ(furrow("stability s.toml --at 2.0001 --method rk4"), 2);
-  EXPECT_EQ(furrow("stability s.toml --at 2.0 --method rk4"), 0) << err();
+  EXPECT_EQ(furrow("stability s.toml --at 2.0001 --method rk4").code, 2);
+  EXPECT_EQ(furrow("stability s.toml --at 2.0 --method rk4").code, 0) << err();
 }
 
 TEST_F(StepCommands, StabilityOfWhatNothingActsOnSaysSo) {
   std::string text = spring(0, 1e-2);
   text.replace(text.find("stiffness = 800.0"), 17, "stiffness = 0.0");
-  write("s.toml", text);
-  ASSERT_EQ(furrow("stability s.toml --method rk4"), 0) << err();
+  put("s.toml", text);
+  ASSERT_EQ(furrow("stability s.toml --method rk4").code, 0) << err();
   EXPECT_NE(out().find("nothing acts on anything here"), std::string::npos) << out();
 }
 
 TEST_F(StepCommands, AFrameAtUntilIsTakenAndLaterOnesAreNot) {
-  write("s.toml", spring(8, 1e-2));
-  ASSERT_EQ(furrow("run s.toml --until 0.5 --out here"), 0) << err();
+  put("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("run s.toml --until 0.5 --out here").code, 0) << err();
   EXPECT_EQ(text_of(directory_ / "here/frames/frames.csv"), "index,t [s],displacement [m]\n0,0,0\n1,0.5,0\n");
-  ASSERT_EQ(furrow("run s.toml --until 0.49 --out there"), 0) << err();
+  ASSERT_EQ(furrow("run s.toml --until 0.49 --out there").code, 0) << err();
   EXPECT_EQ(text_of(directory_ / "there/frames/frames.csv"), "index,t [s],displacement [m]\n0,0,0\n");
-  ASSERT_EQ(furrow("run s.toml --out whole"), 0) << err();
+  ASSERT_EQ(furrow("run s.toml --out whole").code, 0) << err();
   EXPECT_TRUE(std::filesystem::exists(directory_ / "whole/frames/links_002.vtp"));
 }
 
 TEST_F(StepCommands, ARunGoesWhereItsSceneIsNamedAfterUnlessItIsTold) {
-  write("s.toml", spring(8, 1e-2));
-  ASSERT_EQ(furrow("run s.toml --until 0.5"), 0) << err();
+  put("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("run s.toml --until 0.5").code, 0) << err();
   EXPECT_TRUE(std::filesystem::exists(directory_ / "runs/s/run.json"));
   EXPECT_EQ(nlohmann::json::parse(out())["scene"], "s.toml");
   EXPECT_EQ(out(), text_of(directory_ / "runs/s/run.json"));
 }
 
 TEST_F(StepCommands, AStepMayBeAsLongAsTheRunAndNoLonger) {
-  write("s.toml", spring(8, 1e-2));
-  EXPECT_EQ(furrow("run s.toml --until 0.5 --dt 0.5 --method odeint_implicit_euler --out here"), 0) << err();
-  EXPECT_EQ(furrow("run s.toml --until 0.4 --dt 0.5 --method odeint_implicit_euler --out there"), 2);
+  put("s.toml", spring(8, 1e-2));
+  EXPECT_EQ(furrow("run s.toml --until 0.5 --dt 0.5 --method odeint_implicit_euler --out here").code, 0) << err();
+  EXPECT_EQ(furrow("run s.toml --until 0.4 --dt 0.5 --method odeint_implicit_euler --out there").code, 2);
   EXPECT_FALSE(std::filesystem::exists(directory_ / "there"));
 }
 
 // What stood in the directory of a run from an earlier one is gone: its state, its frames, its partial files.
 TEST_F(StepCommands, NothingOfAnEarlierRunIsLeft) {
-  write("s.toml", spring(8, 1e-2));
-  ASSERT_EQ(furrow("run s.toml --out here"), 0) << err();
+  put("s.toml", spring(8, 1e-2));
+  ASSERT_EQ(furrow("run s.toml --out here").code, 0) << err();
   const std::string state = text_of(directory_ / "here/state.csv");
-  ASSERT_EQ(furrow("run s.toml --until 0.5 --out here"), 0) << err();
+  ASSERT_EQ(furrow("run s.toml --until 0.5 --out here").code, 0) << err();
   EXPECT_NE(text_of(directory_ / "here/state.csv"), state);
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory_ / "here")) {
     EXPECT_EQ(entry.path().string().find("002"), std::string::npos) << entry.path();
@@ -141,11 +143,11 @@ TEST_F(StepCommands, ARunThatDoesNotSettleLeavesNoStateOfAnEarlierOne) {
       "[[disc]]\nposition = [0.0, 0.2]\nradius = 0.1\nmaterial = \"soft\"\n[[wall]]\npoint = [0.0, 0.0]\nnormal = "
       "[0.0, 1.0]\n"
       "material = \"soft\"\n";
-  write("s.toml", disc);
-  ASSERT_EQ(furrow("run s.toml --out here"), 0) << err();
+  put("s.toml", disc);
+  ASSERT_EQ(furrow("run s.toml --out here").code, 0) << err();
   ASSERT_TRUE(std::filesystem::exists(directory_ / "here/state.csv"));
-  write("s.toml", disc + "[settle]\nspeed = 1e-6\nlimit = 0.5\n");
-  EXPECT_EQ(furrow("run s.toml --out here"), 3) << err();
+  put("s.toml", disc + "[settle]\nspeed = 1e-6\nlimit = 0.5\n");
+  EXPECT_EQ(furrow("run s.toml --out here").code, 3) << err();
   EXPECT_NE(err().find("not settled after 0.5 s"), std::string::npos) << err();
   EXPECT_FALSE(std::filesystem::exists(directory_ / "here/state.csv"));
   EXPECT_FALSE(std::filesystem::exists(directory_ / "here/plate_force.csv"));
@@ -158,8 +160,8 @@ TEST_F(StepCommands, ARunThatDoesNotSettleLeavesNoStateOfAnEarlierOne) {
 TEST_F(StepCommands, StabilityOfANodeOnAnotherIsAnErrorNotACrash) {
   std::string text = spring(8, 1e-2);
   text.replace(text.find("[0.1, 0.0]"), 10, "[-1.0, 0.0]");
-  write("s.toml", text);
-  const int code = furrow("stability s.toml");
+  put("s.toml", text);
+  const int code = furrow("stability s.toml").code;
   EXPECT_TRUE(code == 2 || code == 3) << code;
   EXPECT_NE(err().find("error: "), std::string::npos) << err();
 }

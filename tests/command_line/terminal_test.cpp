@@ -4,11 +4,11 @@
 
 #include <regex>
 
-#include "outside.h"
+#include "program.h"
 
 namespace {
 
-class Terminal : public furrow::test::Outside {
+class Terminal : public furrow::test::Program {
  protected:
   // Runs with standard error on a terminal; returns all that was written there.
   std::string shown(const std::string& arguments, int& code) const {
@@ -19,7 +19,7 @@ class Terminal : public furrow::test::Outside {
     const pid_t child = fork();
     if (child == 0) {
       const std::string line = "cd '" + directory_.string() + "' && exec '" FURROW_PROGRAM "' " + arguments +
-                               " >out.txt 2>" + name + " </dev/null";
+                               " >stdout.txt 2>" + name + " </dev/null";
       execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
       _exit(127);
     }
@@ -81,7 +81,7 @@ TEST_F(Terminal, SaysWhatSettlesWithoutAGuessOfTheTimeLeft) {
 }
 
 TEST_F(Terminal, AFileGetsNoBar) {
-  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 20 --out here"), 0);
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 20 --out here").code, 0);
   EXPECT_EQ(err(), "");
 }
 
