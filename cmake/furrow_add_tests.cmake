@@ -16,7 +16,7 @@ function(furrow_add_tests label pattern)
     FURROW_PROGRAM="${PROJECT_BINARY_DIR}/furrow")
   # Tests need not be fast, but they are most of what is compiled. The library under test stays as it is.
   target_compile_options(${label}_tests PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0> ${FURROW_TEST_OPTIONS})
-  if(TARGET furrow_program AND label MATCHES "^(command_line|injection|property)$")
+  if(TARGET furrow_program AND label MATCHES "^(command_line|injection|property|expected_to_fail)$")
     add_dependencies(${label}_tests furrow_program)
   endif()
   # PRE_TEST: a program that crashes at start fails its tests, not the build.
