@@ -175,6 +175,82 @@ TEST(OdeintControlled, GivesUpOnNaNInTheLedgerToo) {
   }
 }
 
+// Its square is beyond all numbers, and the state is not: that is no good step.
+TEST(OdeintControlled, AnErrorBeyondAllNumbersIsTooLarge) {
+  for (const MethodInfo& info : controlled_methods()) {
+    const auto method = make_method(info.name, tolerances_of(1e-200, 0.1));
+    State y{1, 0};
+    try {
+      method->step(Oscillator(1, 0), 0, y, 0.1);
+    } catch (const Divergence&) {
+    }
+    EXPECT_GT(method->rejections(), 0) << info.name;
+  }
+}
+
+// An oscillator, beside it numbers that come and go with contacts: the first two swing too, w times as fast, all others
+// rest. (To what does not act on itself Fehlberg's pair is blind.)
+struct ComesAndGoes final : OdeSystem {
+  ComesAndGoes(double w, std::size_t room) : frequency(w), rooms(room) {}
+  std::size_t size() const override { return 2 + rooms; }
+  std::size_t positions() const override { return 1; }
+  std::size_t lasting() const override { return 2; }
+  void rhs(double /*t*/, const State& y, State& dydt) const override {
+    dydt.assign(y.size(), 0);
+    dydt[0] = y[1];
+    dydt[1] = -y[0];
+    dydt[2] = frequency * y[3];
+    dydt[3] = frequency * (1 - y[2]);
+  }
+  double frequency;
+  std::size_t rooms;
+};
+
+std::vector<double> first_steps(const std::string& name, const OdeSystem& system) {
+  const auto method = make_method(name, tolerances_of(1e-6));
+  State y(system.size(), 0.0);
+  y[0] = 1;
+  std::vector<double> steps;
+  for (double t = 0; steps.size() < 30; t += steps.back()) steps.push_back(method->step(system, t, y, 10));
+  return steps;
+}
+
+TEST(OdeintControlled, RoomForWhatComesAndGoesChangesNoStep) {
+  for (const MethodInfo& info : controlled_methods()) {
+    const std::vector<double> one = first_steps(info.name, ComesAndGoes(50, 2));
+    EXPECT_EQ(one, first_steps(info.name, ComesAndGoes(50, 3))) << info.name;
+    EXPECT_EQ(one, first_steps(info.name, ComesAndGoes(50, 17))) << info.name;
+  }
+}
+
+TEST(OdeintControlled, WhatComesAndGoesCountsInTheErrorControl) {
+  for (const MethodInfo& info : controlled_methods()) {
+    const double slow = first_steps(info.name, ComesAndGoes(0, 2)).back();
+    const double fast = first_steps(info.name, ComesAndGoes(50, 2)).back();
+    EXPECT_LT(fast, 0.2 * slow) << info.name << ": what turns fifty times as fast cannot be followed by its steps";
+  }
+}
+
+// Hairer and Wanner 1996, section IV.7: the next step is 0.9 h / error^(1/4), six times as long at most, a fifth at
+// least, and an error of 1 is the largest good one.
+TEST(Rosenbrock4, ChoosesItsStepsByTheFourthRootOfTheError) {
+  const auto two_steps = [](const Oscillator& system, double first) {
+    const auto method = make_method("odeint_rosenbrock4", tolerances_of(1e-6, first));
+    State y{1, 0};
+    const double one = method->step(system, 0, y, 100), other = method->step(system, one, y, 100);
+    return std::pair(one, other);
+  };
+  double good = 1e-3, bad = 10;
+  for (int k = 0; k < 50; ++k) {
+    const double h = 0.5 * (good + bad);
+    (two_steps(Oscillator(1, 0), h).first == h ? good : bad) = h;
+  }
+  EXPECT_NEAR(two_steps(Oscillator(1, 0), good).second, 0.9 * good, 1e-6 * good);
+  EXPECT_NEAR(two_steps(Oscillator(1, 0), bad).first, 0.9 * bad, 1e-6 * bad);
+  EXPECT_NEAR(two_steps(Oscillator(1, 0), 1e-4).second, 6e-4, 1e-18) << "no error to speak of";
+  EXPECT_NEAR(two_steps(Oscillator(1, 0), 4.8 * bad).first, 4.8 / 5 * bad, 1e-9) << "the formula says 5.3";
+}
+
 TEST(OdeintControlled, RecoversWhenATrialStepLeavesWhatCanBeComputed) {
   for (const MethodInfo& info : controlled_methods()) {
     SCOPED_TRACE(info.name);
