@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/wording.h"
+
 namespace furrow {
 namespace {
 
@@ -70,7 +72,7 @@ double ControlledMethod::step(const OdeSystem& system, double t, State& y, doubl
     proposal_ = trial;
   }
   throw Divergence("no step of " + info_.name + " met its tolerance in " + std::to_string(most_tries) +
-                   " tries; the last was " + std::to_string(trial) + " s long");
+                   " tries; the last was " + shortest(trial) + " s long");
 }
 
 }  // namespace furrow

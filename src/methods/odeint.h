@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "methods/method.h"
+#include "scene/wording.h"
 
 namespace furrow {
 
@@ -55,7 +56,7 @@ class ControlledOdeint : public Method {
       if (!(trial < tried)) trial = 0.2 * tried;  // the stepper had no complaint
     }
     throw Divergence("no step of " + info_.name + " met its tolerance in " + std::to_string(most_tries) +
-                     " tries; the last was " + std::to_string(trial) + " s long");
+                     " tries; the last was " + shortest(trial) + " s long");
   }
 
  protected:

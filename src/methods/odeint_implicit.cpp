@@ -92,7 +92,7 @@ class ImplicitEuler final : public Method {
     matrix -= ublas::identity_matrix<double>(matrix.size1());
     ublas::permutation_matrix<std::size_t> order(matrix.size1());
     if (ublas::lu_factorize(matrix, order) != 0)
-      throw Divergence("odeint_implicit_euler cannot solve for a step of " + std::to_string(h) +
+      throw Divergence("odeint_implicit_euler cannot solve for a step of " + shortest(h) +
                        " s: its matrix is singular");
   }
 

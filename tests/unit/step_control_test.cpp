@@ -224,5 +224,29 @@ TEST(RungeKuttaChebyshev, TriesATenthWhereAThousandStagesDoNotReach) {
   EXPECT_NEAR(step_of(1.01 * 1e7 / (1.54 * 1.2)), 0.01, 1e-15);
 }
 
+// Sixty tries on, the step is shorter than six decimals show.
+TEST(StepControl, WhoGivesUpSaysHowShortTheLastStepWas) {
+  struct NotANumber final : OdeSystem {
+    std::size_t size() const override { return 2; }
+    std::size_t positions() const override { return 1; }
+    void rhs(double /*t*/, const State& /*y*/, State& dydt) const override { dydt = {0, nan}; }
+  };
+  for (const MethodInfo& info : method_catalogue()) {
+    if (!info.controlled) continue;
+    State y{1, 0};
+    try {
+      make_method(info.name)->step(NotANumber(), 0, y, 0.1);
+      ADD_FAILURE() << info.name << " takes a step";
+    } catch (const Divergence& end) {
+      const std::string text = end.what();
+      const std::size_t at = text.find("the last was ");
+      ASSERT_NE(at, std::string::npos) << text;
+      const double last = std::stod(text.substr(at + 13));
+      EXPECT_GT(last, 0) << text;
+      EXPECT_LT(last, 1e-20) << text;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace furrow
