@@ -165,4 +165,36 @@ TEST_F(Judging, StudiesAreListedAndAnUnknownOneIsRefused) {
   EXPECT_NE(err().find("no study 'ordre'; there are order,"), std::string::npos) << err();
 }
 
+// Its runs are kept until it ends; of a sound one, of the scene file's own setting, all numbers are made the paper's.
+TEST_F(Judging, AStudyWhoseClaimDoesNotHoldExitsOneAndSaysWhich) {
+  const fs::path kept = directory_ / "geometry.runs.jsonl";
+  furrow::test::Process study(directory_, started("study geometry --quick --jobs 1 --out ."));
+  ASSERT_TRUE(furrow::test::comes_true([&] { return furrow::test::lines_of(kept) >= 2 || study.has_ended(); }));
+  study.send(SIGINT);
+  ASSERT_EQ(study.code(), 130) << err();
+  std::istringstream lines(text_of(kept));
+  std::string first;
+  std::getline(lines, first);
+  auto run = nlohmann::ordered_json::parse(first);
+  for (const auto& [id, number] : {std::pair{"first_impact", 238},
+                                   {"free_flight_begins", 40},
+                                   {"free_flight_ends", 47},
+                                   {"second_contact_fx", 50},
+                                   {"second_contact_fy", 150},
+                                   {"first_structural_tear", 54},
+                                   {"fixed_links_torn", 116},
+                                   {"misfit", 0}}) {
+    ASSERT_TRUE(run["result"].contains(id)) << id;
+    run["result"][id] = number;
+  }
+  furrow::seal(run);
+  std::ofstream(kept) << run.dump() << "\n";
+  EXPECT_EQ(furrow("study geometry --quick --out .").code, 1) << err();
+  EXPECT_NE(err().find("furrow: does not hold: No setting tried meets all of the paper's numbers"), std::string::npos)
+      << err();
+  EXPECT_EQ(out(), "./geometry.json\n");
+  EXPECT_FALSE(nlohmann::json::parse(text("geometry.json")).at("claims").at(0).at("holds"));
+  EXPECT_EQ(furrow("study geometry --quick --out .").code, 0) << err();
+}
+
 }  // namespace
