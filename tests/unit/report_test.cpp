@@ -63,6 +63,43 @@ TEST(Report, ShowsARunThatNeverStarted) {
   EXPECT_TRUE(has(page, "Force on the plate: <span class=\"missing\">"));
 }
 
+// By hand: one watch of each verdict, a number that JSON cannot hold, one that was not watched.
+TEST(Report, ShowsWhatTheRunDidToTheValidityOfItsLaws) {
+  RunDirectory run;
+  run.force({{-3, 4}, {-30, 40}, {0, 0}});
+  EXPECT_TRUE(has(page_of(run), "Validity of the laws: <span class=\"missing\">missing</span>"));
+  const auto watch = [](const std::string& name, const std::string& verdict, const std::string& worst,
+                        const std::string& allowed) {
+    return "\"" + name + "\": {\"verdict\": \"" + verdict + "\", \"worst\": " + worst +
+           ", \"warns_above\": 0.01, \"ends_above\": null, \"allowed\": " + allowed +
+           ", \"time\": 0.25, \"where\": \"disc 3 & <wall 0>\", \"times\": 7}";
+  };
+  run.write(
+      "run.json",
+      "{\"ended\": \"finished\", \"steps\": 10, \"warnings\": [], \"validity\": {\"verdict\": \"warned\", "
+      "\"energy_made\": \"not watched\", " +
+          watch("overlap", "allowed", "0.625", "0.75") + ", " + watch("through_plates", "allowed", "11.0", "true") +
+          ", " + watch("step", "warned", "2.5", "null") + ", " + watch("impact", "kept", "0.0", "null") +
+          "}, \"largest_force\": [{\"plate\": \"tool\", \"F\": 62.5, \"Fx\": 0.0, \"Fy\": 62.5, \"time\": 0.5}]}");
+  std::string page = page_of(run);
+  EXPECT_FALSE(has(page, "&quot;verdict&quot;")) << "raw JSON is for nobody";
+  EXPECT_TRUE(has(page, "62.5 N of all steps, at 50 mm"));
+  EXPECT_TRUE(has(page, "It goes beyond what its scene file allows, and warns."));
+  page = std::regex_replace(page, std::regex("\\s*</?(tr|td|small)[^>]*>\\s*"), "|");
+  page = std::regex_replace(page, std::regex("\\|+"), "|");
+  for (const char* row :
+       {"|energy that the method made, of all that the scene was given|not watched|",
+        "|greatest overlap, of the smaller radius|0.625|0.01|–|0.75|0.25 s|disc 3 &amp; &lt;wall 0&gt;|allowed|",
+        "|centres that crossed the middle of a plate|11|0.01|–|any|0.25 s|disc 3 &amp; &lt;wall 0&gt;|allowed|",
+        "|step, of the largest stable one at the contacts that are there|2.5|0.01|–|–|0.25 s|disc 3 &amp; "
+        "&lt;wall 0&gt;|warned|",
+        "|energy of a contact, of what carries the one through the other|0|0.01|–|–|kept|"})
+    EXPECT_TRUE(has(page, row)) << row;
+  const std::string table = text_of(run.path() / "page/scenes.md");
+  EXPECT_TRUE(has(table, "| scenario_1 | 11 | <span class=\"missing\">missing</span> | ")) << table;
+  EXPECT_TRUE(has(table, " | 0.625 | <span class=\"missing\">missing</span> | 2.5 | warned |")) << table;
+}
+
 TEST(Report, ShowsNotANumberAsMissing) {
   RunDirectory run;
   run.force({{-3, 4}, {std::nan(""), 0}, {-1, 0}});

@@ -12,6 +12,7 @@
 #include "page/scene_section.h"
 #include "page/studies.h"
 #include "page/template.h"
+#include "page/validity_part.h"
 #include "page/verification.h"
 
 namespace furrow {
@@ -56,6 +57,11 @@ std::string how_made(const std::vector<RunRecord>& runs) {
   return rows;
 }
 
+// N, of all steps, where run.json says it.
+double largest_force(const RunRecord& run) {
+  return run.largest_force.empty() ? measure(run, "largest_force").value : run.largest_force.front().f;
+}
+
 // The runs in a table for a page in Markdown.
 std::string scene_table(const std::vector<RunRecord>& runs) {
   std::string table =
@@ -67,7 +73,7 @@ std::string scene_table(const std::vector<RunRecord>& runs) {
     };
     table += "| " + run.name + (run.finished() ? "" : " (" + fact_shown(run, "ended") + ")") + " | " +
              fact_shown(run, "steps") + " | " + fact_shown(run, "rhs_evaluations") + " | " +
-             fact_shown(run, "cpu_seconds") + " | " + shown(measure(run, "largest_force").value) + " | " +
+             fact_shown(run, "cpu_seconds") + " | " + shown(largest_force(run)) + " | " +
              std::to_string(run.torn.size()) + " | " + shown(100 * last("residual [J]") / last("plate work [J]")) +
              " % | `" + fact_shown(run, "state_hash") + "` |\n";
   }
@@ -110,7 +116,7 @@ void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& rep
               {"studies", study_sections(evidence.studies, after, files)},
               {"verification", verification_section(evidence)},
               {"made", how_made(runs)}});
-  files["scenes.md"] = scene_table(runs);
+  files["scenes.md"] = scene_table(runs) + "\nWhat they do to the validity of their laws:\n\n" + validity_table(runs);
   std::vector<std::string> names;
   for (const auto& [name, text] : files) names.push_back(name);
   directory.add(names);

@@ -21,27 +21,55 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<Fact> read_facts(const std::filesystem::path& file) {
-  const auto text_of = [](const nlohmann::ordered_json& value) {
-    if (value.is_number_float()) return number(value.get<double>());
-    return value.is_string() ? value.get<std::string>() : value.dump();
-  };
-  std::vector<Fact> facts;
+using Json = nlohmann::ordered_json;
+
+std::string text_of(const Json& value) {
+  if (value.is_number_float()) return number(value.get<double>());
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+Fact fact_of(const std::string& key, const Json& value) {
+  Fact fact{key, {}, value.is_number_float()};
+  if (value.is_array()) {
+    for (const Json& part : value) fact.texts.push_back(text_of(part));
+  } else if (!value.is_null()) {
+    fact.texts.push_back(text_of(value));
+  }
+  return fact;
+}
+
+double number_or(const Json& value, double otherwise) { return value.is_number() ? value.get<double>() : otherwise; }
+
+WatchedFact watched_fact(const std::string& name, const Json& watch) {
+  if (watch.is_string()) return {.name = name, .verdict = watch, .where = {}, .worst = nan, .time = nan};
+  WatchedFact w{.name = name, .verdict = watch.at("verdict"), .where = watch.at("where")};
+  w.worst = number_or(watch.at("worst"), infinity);  // JSON has no infinity
+  w.time = watch.at("time");
+  w.warns_above = watch.at("warns_above");
+  w.ends_above = number_or(watch.at("ends_above"), infinity);
+  const Json& allowed = watch.at("allowed");
+  if (!allowed.is_null()) w.allowed = number_or(allowed, infinity);
+  return w;
+}
+
+void read_facts(const std::filesystem::path& file, RunRecord& run) {
   try {
-    const auto json = nlohmann::ordered_json::parse(run_text(file));
+    const auto json = Json::parse(run_text(file));
     if (!json.is_object()) throw std::runtime_error(file.string() + ": is not a JSON object");
     for (const auto& [key, value] : json.items()) {
-      facts.push_back({key, {}, value.is_number_float()});
-      if (value.is_array()) {
-        for (const auto& part : value) facts.back().texts.push_back(text_of(part));
-      } else if (!value.is_null()) {
-        facts.back().texts.push_back(text_of(value));
+      if (key == "validity") {
+        run.validity = value.at("verdict");
+        for (const auto& [name, watch] : value.items())
+          if (name != "verdict") run.watched.push_back(watched_fact(name, watch));
+      } else if (key == "largest_force") {
+        for (const Json& plate : value) run.largest_force.push_back({plate.at("F"), plate.at("time")});
+      } else {
+        run.facts.push_back(fact_of(key, value));
       }
     }
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }
-  return facts;
 }
 
 ForceCurve force_curve(const Table& table) {
@@ -89,6 +117,50 @@ std::vector<TornLink> torn_links(const Table& events, const Parts& parts) {
   return torn;
 }
 
+[[noreturn]] void wrong_publication(const std::string& what) { throw std::runtime_error("statements.toml: " + what); }
+
+std::array<double, 2> pair_of(const toml::node& value, const std::string& which) {
+  const toml::array* two = value.as_array();
+  if (!two || two->size() != 2 || !two->get(0)->is_number() || !two->get(1)->is_number())
+    wrong_publication(which + " must be two numbers");
+  return {two->get(0)->value_or(nan), two->get(1)->value_or(nan)};
+}
+
+// A misspelt key is an error, or what it says would be left out without a word.
+Statement statement_of(const toml::table& entry, const std::string& which) {
+  Statement s;
+  std::string label;
+  const std::map<std::string_view, std::string*> texts{{"id", &s.id},
+                                                       {"scene", &s.scene},
+                                                       {"quantity", &s.quantity},
+                                                       {"unit", &s.unit},
+                                                       {"relation", &s.relation},
+                                                       {"where", &s.where},
+                                                       {"read", &s.read},
+                                                       {"observable", &s.observable},
+                                                       {"ours", &s.ours},
+                                                       {"expect", &s.expect},
+                                                       {"mark", &s.mark},
+                                                       {"label", &label}};
+  for (const auto& [key, value] : entry) {
+    const std::string its = which + ": " + std::string(key.str());
+    const auto text = texts.find(key.str());
+    if (key == "window" || key == "holds") {
+      (key == "window" ? s.window : s.holds) = pair_of(value, its);
+    } else if (key == "value" && value.is_number()) {
+      s.value = value.value_or(nan);
+    } else if (!value.is_string() || (key != "value" && text == texts.end())) {
+      wrong_publication(its +
+                        (text == texts.end() && key != "value" ? " is no key of a statement" : " must be a text"));
+    } else {
+      *(key == "value" ? &s.words : text->second) = value.value_or(std::string());
+    }
+  }
+  if (s.id.empty() || (s.words.empty() && std::isnan(s.value))) wrong_publication(which + " has no id or no value");
+  s.label = label.empty() ? number(s.value) + " " + s.unit : label;
+  return s;
+}
+
 }  // namespace
 
 const Fact* RunRecord::fact(std::string_view key) const {
@@ -110,7 +182,7 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
   RunRecord run;
   run.name = name;
   const auto scene = directory / "scene.toml", frames = directory / "frames";
-  run.facts = read_facts(directory / "run.json");
+  read_facts(directory / "run.json", run);
   run.scene = parse_scene(run_text(scene), scene.string());
   run.lattices = lattices_of(run.scene);
   if (!run.fact("steps")) return run;
@@ -130,44 +202,39 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
   return run;
 }
 
+std::string broken_off(const RunRecord& run) {
+  const Scene& scene = run.scene;
+  const double last = scene.time.end - 1.5 * scene.output.interval - scene.time.step;  // s: a row is due behind it
+  const auto ends_at = [](const std::string& file, double t) { return file + " ends at t = " + number(t) + " s"; };
+  if (!scene.plate.empty()) {
+    const double t = plate_speed(run) > 0 ? run.force.end() / plate_speed(run) : scene.time.end;
+    if (run.force.mm.empty() || t < last) return ends_at("plate_force.csv", t);
+  }
+  if (scene.output.energy) {
+    const double t = run.energy.rows() > 0 ? run.energy.numbers("t [s]").back() : 0;
+    if (t < last) return ends_at("energy.csv", t);
+  }
+  if (run.frames.size() == scene.output.frames.size()) return {};
+  return "frames.csv has " + std::to_string(run.frames.size()) + " of " + std::to_string(scene.output.frames.size()) +
+         " pictures";
+}
+
 Publication read_publication(std::string_view text) {
   try {
     const toml::table root = toml::parse(text);
     Publication publication{root["title"].value_or(std::string()), {}};
     const toml::array* entries = root["statement"].as_array();
-    for (std::size_t k = 0; entries && k < entries->size(); ++k) {
-      const toml::node_view entry(*entries->get(k));
-      Statement s;
-      for (const auto& [key, field] : {std::pair{"id", &s.id},
-                                       {"scene", &s.scene},
-                                       {"quantity", &s.quantity},
-                                       {"value", &s.words},
-                                       {"unit", &s.unit},
-                                       {"relation", &s.relation},
-                                       {"where", &s.where},
-                                       {"read", &s.read},
-                                       {"observable", &s.observable},
-                                       {"ours", &s.ours},
-                                       {"expect", &s.expect},
-                                       {"mark", &s.mark}}) {
-        *field = entry[key].value_or(std::string());
-      }
-      if (s.words.empty()) s.value = entry["value"].value_or(nan);
-      s.label = entry["label"].value_or(number(s.value) + " " + s.unit);
-      const auto pair = [&](const char* key) -> std::optional<std::array<double, 2>> {
-        if (!entry[key].is_array()) return std::nullopt;
-        return std::array{entry[key][0].value_or(nan), entry[key][1].value_or(nan)};
-      };
-      s.window = pair("window");
-      s.holds = pair("holds");
-      if (s.id.empty() || (s.words.empty() && std::isnan(s.value))) {
-        throw std::runtime_error("statements.toml: statement " + std::to_string(k + 1) + " has no id or no value");
-      }
-      publication.statements.push_back(std::move(s));
+    if (publication.title.empty()) wrong_publication("there is no title");
+    if (!entries || entries->empty()) wrong_publication("there is no statement");
+    for (std::size_t k = 0; k < entries->size(); ++k) {
+      const toml::table* entry = entries->get(k)->as_table();
+      const std::string which = "statement " + std::to_string(k + 1);
+      if (!entry) wrong_publication(which + " is no table");
+      publication.statements.push_back(statement_of(*entry, which));
     }
     return publication;
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error("statements.toml: " + std::string(error.description()));
+    wrong_publication(std::string(error.description()));
   }
 }
 

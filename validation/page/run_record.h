@@ -38,13 +38,29 @@ struct Fact {
   bool fraction = false;           // a floating-point number
 };
 
+// One watch of run.json's "validity"; what was measured is of all steps, see validity.h.
+struct WatchedFact {
+  std::string name, verdict, where;
+  double worst = 0, time = 0;              // time: s, of the worst; NaN: not watched
+  double warns_above = 0, ends_above = 0;  // ends: infinity, it does not
+  std::optional<double> allowed{};         // infinity: any number
+};
+
+// The largest force on a plate, of all steps.
+struct LargestForce {
+  double f = 0, time = 0;  // N, s
+};
+
 struct RunRecord {
   std::string name;
-  std::vector<Fact> facts;  // in the order of the file
+  std::vector<Fact> facts;  // in the order of the file, but for the next three
+  std::string validity;     // verdict on the whole; empty: run.json has none
+  std::vector<WatchedFact> watched;
+  std::vector<LargestForce> largest_force;  // by plate
   Scene scene;
   Parts lattices;  // nodes and links of the scene's lattices, nothing else
   ForceCurve force;
-  Table energy;
+  Table energy;                // without rows: no ledger
   std::vector<TornLink> torn;  // in order of time
   std::optional<double> met;   // mm, when the plate first touches a lattice; NaN: never; none: not recorded
   std::vector<Frame> frames;
@@ -58,6 +74,9 @@ double plate_speed(const RunRecord& run);  // of the first plate, mm/s
 // Of a run that ended while its scene was prepared there are only facts and scene. Throws std::runtime_error that names
 // the file that is missing or malformed.
 RunRecord read_run(const std::string& name, const std::filesystem::path& directory);
+
+// Why the series of a run that finished are not whole, as those of a copy that was broken off; empty if they are.
+std::string broken_off(const RunRecord& run);
 
 // One thing that the paper reports; the heading of validation/statements.toml explains the fields.
 struct Statement {

@@ -12,6 +12,7 @@
 #include "page/observables.h"
 #include "page/snapshots.h"
 #include "page/template.h"
+#include "page/validity_part.h"
 
 namespace furrow {
 namespace {
@@ -52,6 +53,7 @@ class SceneSection {
                                               {"force", force()},
                                               {"energy", energy()},
                                               {"snapshots", snapshots(run_, drawings_)},
+                                              {"validity", validity_part(run_)},
                                               {"statements", statements()},
                                               {"torn", torn()}});
   }
@@ -91,8 +93,16 @@ class SceneSection {
         drawn(input, "force.gp", drawings_, figure_name("force"), "Force on the plate against its displacement"),
         "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
         "sum is largest, " +
-            with_unit(measure(run_, "largest_force").value, "N") + ", at " +
-            with_unit(measure(run_, "largest_force_at").value, "mm") + "; dotted: the numbers that the paper gives.");
+            largest() + "; dotted: the numbers that the paper gives.");
+  }
+
+  // Of all steps, where run.json says it; the rows of the curve miss what is between them.
+  std::string largest() const {
+    if (run_.largest_force.empty())
+      return with_unit(measure(run_, "largest_force").value, "N") + ", at " +
+             with_unit(measure(run_, "largest_force_at").value, "mm");
+    const LargestForce& f = run_.largest_force.front();
+    return with_unit(f.f, "N") + " of all steps, at " + with_unit(plate_speed(run_) * f.time, "mm");
   }
 
   std::string energy() const {

@@ -12,6 +12,12 @@
 namespace furrow {
 namespace {
 
+// A file that was cut within its last line could hold half a number.
+void require_whole(const std::string& text, const std::string& file) {
+  if (text.empty() || text.back() != '\n' || std::count(text.begin(), text.end(), '"') % 2 != 0)
+    throw std::runtime_error(file + ": is cut short: its last line has no end");
+}
+
 // RFC 4180: between quotes, commas and ends of lines are text, and "" is one quote.
 std::vector<std::vector<std::string>> csv_rows(const std::string& text) {
   std::vector<std::vector<std::string>> rows;
@@ -48,8 +54,10 @@ std::string run_text(const std::filesystem::path& file) {
 }
 
 Table::Table(const std::filesystem::path& file) : file_(run_path(file).string()) {
-  const std::vector<std::vector<std::string>> rows = csv_rows(run_text(file));
-  if (!rows.empty()) heading_ = rows[0];
+  const std::string text = run_text(file);
+  require_whole(text, file_);
+  const std::vector<std::vector<std::string>> rows = csv_rows(text);
+  heading_ = rows[0];
   columns_.resize(heading_.size());
   for (std::size_t row = 1; row < rows.size(); ++row) {
     if (rows[row].size() != heading_.size()) {

@@ -1,0 +1,86 @@
+#include "page/validity_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "page/gnuplot.h"
+#include "page/html.h"
+#include "page/template.h"
+
+namespace furrow {
+namespace {
+
+std::string in_words(const std::string& name) {
+  static const std::map<std::string, std::string> words{
+      {"energy_made", "energy that the method made, of all that the scene was given"},
+      {"energy_lost", "energy that it lost, of the same"},
+      {"overlap", "greatest overlap, of the smaller radius"},
+      {"behind_walls", "discs whose centres are behind a wall, at once"},
+      {"through_plates", "centres that crossed the middle of a plate"},
+      {"through_lattices", "centres that crossed the border of a lattice"},
+      {"impact", "energy of a contact, of what carries the one through the other"},
+      {"step", "step, of the largest stable one at the contacts that are there"},
+      {"arrival", "step, of the largest stable one in an impact that may come"}};
+  const auto found = words.find(name);
+  return found == words.end() ? escaped(name) : found->second;
+}
+
+// Infinity stands for no limit.
+std::string limit(double value) { return std::isinf(value) ? "–" : shown(value); }
+
+std::string allowance(const WatchedFact& w) {
+  if (!w.allowed) return "–";
+  return std::isinf(*w.allowed) ? "any" : shown(*w.allowed);
+}
+
+std::string at_the_worst(const WatchedFact& w) {
+  if (!(w.worst > 0)) return {};
+  return with_unit(w.time, "s") + (w.where.empty() ? "" : element("small", typeset(escaped(w.where))));
+}
+
+std::string row_of(const WatchedFact& w) {
+  if (std::isnan(w.time)) return element("tr", element("td", in_words(w.name)) + element("td", escaped(w.verdict)));
+  std::string cells = element("td", in_words(w.name));
+  for (const std::string& cell : {shown(w.worst), limit(w.warns_above), limit(w.ends_above), allowance(w)})
+    cells += element("td", cell, "number");
+  return element("tr", cells + element("td", at_the_worst(w)) + element("td", escaped(w.verdict)));
+}
+
+std::string sentence(const std::string& verdict) {
+  if (verdict == "kept") return "It keeps to all of it.";
+  if (verdict == "allowed") return "It goes beyond, as its scene file allows.";
+  if (verdict == "warned") return "It goes beyond what its scene file allows, and warns.";
+  return "It goes beyond what any run may, and ends there.";
+}
+
+double worst_of(const RunRecord& run, const std::string& name) {
+  const auto found =
+      std::find_if(run.watched.begin(), run.watched.end(), [&](const WatchedFact& w) { return w.name == name; });
+  return found == run.watched.end() ? std::nan("") : found->worst;
+}
+
+}  // namespace
+
+std::string validity_part(const RunRecord& run) {
+  if (run.watched.empty()) return element("p", "Validity of the laws: " + missing);
+  std::string rows;
+  for (const WatchedFact& w : run.watched) rows += row_of(w);
+  return filled(figure_file("validity.html"), {{"verdict", sentence(run.validity)}, {"rows", rows}});
+}
+
+std::string validity_table(const std::vector<RunRecord>& runs) {
+  std::string table =
+      "| scene | centres through the plate | through a lattice's border | behind a wall | greatest overlap, of R | "
+      "energy "
+      "made, of what was given | step, of the largest stable one | verdict |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
+  for (const RunRecord& run : runs) {
+    table += "| " + run.name;
+    for (const char* name : {"through_plates", "through_lattices", "behind_walls", "overlap", "energy_made", "step"})
+      table += " | " + shown(worst_of(run, name));
+    table += " | " + (run.validity.empty() ? missing : run.validity) + " |\n";
+  }
+  return table;
+}
+
+}  // namespace furrow
