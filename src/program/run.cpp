@@ -13,6 +13,7 @@
 #include "output/files.h"
 #include "output/run_files.h"
 #include "page/report.h"
+#include "page/run_record.h"
 #include "program/commands.h"
 #include "program/progress.h"
 #include "scene/read.h"
@@ -94,12 +95,19 @@ std::string other_run(const fs::path& directory, const Scene& scene) {
     if (found == json.end()) return std::string("its run.json does not say its ") + key;
     if (*found != value) return std::string(key) + " is " + found->dump() + ", not " + value.dump();
   }
-  return {};
+  const RunRecord record = read_run(directory.filename(), directory);
+  if (scene_hash(record.scene) != scene_hash(scene)) return "its scene.toml is of another scene";
+  return broken_off(record);
 }
 
 // Whether the run in its directory is taken as it is; if not, the reason is said.
 bool reused(const RunOptions& options, const Scene& scene) {
-  const std::string why = other_run(options.directory, scene);
+  std::string why;
+  try {
+    why = other_run(options.directory, scene);
+  } catch (const std::runtime_error& unreadable) {
+    why = unreadable.what();
+  }
   if (!why.empty()) std::cerr << options.directory << ": run again: " << why << "\n";
   return why.empty();
 }

@@ -1,9 +1,11 @@
 // The commands that judge, from outside: `report` on three short scenes, `methods`, `study`.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <tuple>
 
 #include "methods/method.h"
 #include "page/seal.h"
@@ -90,6 +92,35 @@ TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
     EXPECT_NE(err().find("page/scenario_2: run again: " + std::string(key) + " is \"another\""), std::string::npos)
         << err();
     EXPECT_EQ(nlohmann::json::parse(text_of(file))[key], nlohmann::json::parse(sound)[key]);
+  }
+}
+
+// As a copy that was broken off leaves them: behind a whole line, within one, without a picture.
+TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
+  ASSERT_EQ(furrow("report --scenes scenes --out page").code, 0) << err();
+  const auto half = [](const std::string& text) { return text.substr(0, text.find('\n', text.size() / 2) + 1); };
+  const auto in_a_line = [](const std::string& text) { return text.substr(0, text.size() - 2); };
+  const auto without_last = [](const std::string& text) {
+    return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  };
+  const auto longer = [](const std::string& text) {
+    return std::regex_replace(text, std::regex("end = 0.05"), "end = 0.06");
+  };
+  using Spoil = std::function<std::string(const std::string&)>;
+  for (const auto& [file, spoil, why] :
+       {std::tuple<std::string, Spoil, const char*>{"plate_force.csv", half, "plate_force.csv ends at t = 0.02"},
+        {"energy.csv", half, "energy.csv ends at t = 0.02"},
+        {"energy.csv", in_a_line, "energy.csv: is cut short"},
+        {"frames/frames.csv", without_last, "frames.csv has 0 of 1 pictures"},
+        {"scene.toml", longer, "its scene.toml is of another scene"}}) {
+    const fs::path place = directory_ / "page/scenario_2" / file;
+    const std::string sound = text_of(place);
+    std::ofstream(place) << spoil(sound);
+    ASSERT_NE(text_of(place), sound) << file;
+    EXPECT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
+    EXPECT_NE(err().find("page/scenario_2: run again: "), std::string::npos) << err();
+    EXPECT_NE(err().find(why), std::string::npos) << err();
+    EXPECT_EQ(text_of(place), sound) << file << " is there again";
   }
 }
 

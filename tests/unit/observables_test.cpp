@@ -170,6 +170,11 @@ TEST(Observables, BadFilesAreNamedWithTheLine) {
   directory.write("plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]\n0,tool,0,?,0,0\n");
   EXPECT_NE(error_of(directory).find("plate_force.csv:2: '?' is not a number"), std::string::npos)
       << error_of(directory);
+  // Cut within its last number, which is one still.
+  directory.write("plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]\n0,tool,0,0,0,12");
+  EXPECT_NE(error_of(directory).find("plate_force.csv: is cut short"), std::string::npos) << error_of(directory);
+  directory.write("plate_force.csv", "");
+  EXPECT_NE(error_of(directory).find("plate_force.csv: is cut short"), std::string::npos) << error_of(directory);
   directory.write("plate_force.csv", "t [s],plate\n");
   EXPECT_NE(error_of(directory).find("has no column 'displacement [m]'"), std::string::npos) << error_of(directory);
   directory.remove("plate_force.csv");
@@ -198,7 +203,7 @@ TEST(Publication, EveryStatementCanBeMeasured) {
 
 TEST(Publication, NumbersAndWordsAreToldApart) {
   const Publication paper = read_publication(
-      "[[statement]]\nid = \"a\"\nvalue = 238.0\nunit = \"N\"\nwindow = [1.0, 2.0]\n"
+      "title = \"A paper\"\n[[statement]]\nid = \"a\"\nvalue = 238.0\nunit = \"N\"\nwindow = [1.0, 2.0]\n"
       "[[statement]]\nid = \"b\"\nvalue = \"in the middle\"\n");
   ASSERT_EQ(paper.statements.size(), 2u);
   EXPECT_EQ(paper.statements[0].value, 238);
@@ -206,8 +211,29 @@ TEST(Publication, NumbersAndWordsAreToldApart) {
   EXPECT_EQ((*paper.statements[0].window)[1], 2);
   EXPECT_TRUE(std::isnan(paper.statements[1].value));
   EXPECT_EQ(paper.statements[1].words, "in the middle");
-  EXPECT_THROW(read_publication("[[statement]]\nid = \"a\"\n"), std::runtime_error);
-  EXPECT_THROW(read_publication("[[statement]"), std::runtime_error);
+}
+
+TEST(Publication, WhatIsMisspeltOrMissingIsAnError) {
+  const std::string title = "title = \"A paper\"\n", sound = "[[statement]]\nid = \"a\"\nvalue = 1.0\n";
+  EXPECT_NO_THROW(read_publication(title + sound));
+  for (const auto& [text, why] : {std::pair<std::string, const char*>{sound, "no title"},
+                                  {title, "no statement"},
+                                  {title + "statement = [1]\n", "statement 1 is no table"},
+                                  {title + "[[statement]]\nid = \"a\"\n", "no id or no value"},
+                                  {title + "[[statement]]\nvalue = 1.0\n", "no id or no value"},
+                                  {title + sound + "obsevable = \"x\"\n", "obsevable is no key"},
+                                  {title + sound + "observable = 1\n", "observable must be a text"},
+                                  {title + sound + "holds = [1.0]\n", "holds must be two numbers"},
+                                  {title + sound + "window = [1.0, \"x\"]\n", "window must be two numbers"},
+                                  {title + sound + "value = 1\n", "statements.toml: "},
+                                  {"[[statement]", "statements.toml: "}}) {
+    try {
+      read_publication(text);
+      ADD_FAILURE() << text;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+    }
+  }
 }
 
 }  // namespace
