@@ -40,11 +40,14 @@ std::vector<std::string> tests_in(const std::filesystem::path& list) {
 std::map<std::string, std::string> requirements_in(const std::filesystem::path& directory) {
   std::map<std::string, std::string> all;
   for (const auto& file : std::filesystem::directory_iterator(directory)) {
-    for (const auto& [group, table] : toml::parse_file(file.path().string())) {
+    const toml::table groups = toml::parse_file(file.path().string());
+    for (const auto& [group, table] : groups) {
+      if (!table.is_table()) throw std::runtime_error(std::string(group.str()) + " is no table of requirements");
       for (const auto& [key, sentence] : *table.as_table()) {
         const std::string id = std::string(group.str()) + "." + std::string(key.str());
-        if (!all.emplace(id, sentence.value_or<std::string>("")).second)
-          throw std::runtime_error(id + " is there twice");
+        const auto text = sentence.value_or<std::string>("");
+        if (text.empty()) throw std::runtime_error("requirement " + id + " has no sentence");
+        if (!all.emplace(id, text).second) throw std::runtime_error(id + " is there twice");
       }
     }
   }

@@ -45,8 +45,9 @@ Ran run(const Command& command) {
   close(pipe_ends[1]);
   Ran ran;
   std::array<char, 4096> part{};
-  for (ssize_t n = 0; (n = read(pipe_ends[0], part.data(), part.size())) != 0;) {
-    if (n < 0 && errno != EINTR) break;
+  int lost = 0;
+  for (ssize_t n = 0; lost == 0 && (n = read(pipe_ends[0], part.data(), part.size())) != 0;) {
+    if (n < 0 && errno != EINTR) lost = errno;
     if (n > 0) ran.output.append(part.data(), static_cast<std::size_t>(n));
   }
   close(pipe_ends[0]);
@@ -57,6 +58,7 @@ Ran run(const Command& command) {
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   ran.real_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ran.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+  if (lost != 0) throw std::runtime_error("cannot read what " + command.words[0] + " says: " + std::strerror(lost));
   if (ran.status == could_not_start) throw std::runtime_error("cannot start " + command.words[0]);
   return ran;
 }

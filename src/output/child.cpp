@@ -46,9 +46,12 @@ class MemoryFile {
   std::string text() const {
     std::string all;
     std::array<char, 65536> part{};
-    for (ssize_t n = 0; (n = pread(descriptor_, part.data(), part.size(), static_cast<off_t>(all.size()))) > 0;)
-      all.append(part.data(), static_cast<std::size_t>(n));
-    return all;
+    while (true) {
+      const ssize_t n = pread(descriptor_, part.data(), part.size(), static_cast<off_t>(all.size()));
+      if (n == 0) return all;
+      if (n < 0 && errno != EINTR) throw std::runtime_error(std::string("memory is lost: ") + std::strerror(errno));
+      if (n > 0) all.append(part.data(), static_cast<std::size_t>(n));
+    }
   }
 
  private:

@@ -27,7 +27,7 @@ struct Faults {
   std::map<std::string, std::string> silent;          // tests that notice nothing: why
 };
 
-// Throws toml::parse_error.
+// Throws toml::parse_error, std::runtime_error that says what is wrong in it.
 Faults faults_in(const std::filesystem::path& file);
 
 }  // namespace furrow::verification

@@ -287,6 +287,9 @@ int main_of(int argc, char** argv) {
   Faults faults = faults_in(places.tree / "verification/faults.toml");
   std::vector<std::string> names;
   for (const Fault& fault : faults.all) names.push_back(fault.name);
+  for (const std::string& name : options.only)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw std::runtime_error("faults.toml: there is no fault " + name);
   ordered_json earlier = ordered_json::object();
   if (!options.into.empty()) earlier = read_sealed(options.into);
   std::erase_if(faults.all, [&](const Fault& f) {

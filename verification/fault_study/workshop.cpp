@@ -15,12 +15,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void write_all(const fs::path& file, const std::string& text, std::ios::openmode mode) {
+  std::ofstream stream(file, std::ios::binary | mode);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error("cannot write all of " + file.string());
+}
+
 // Whether the program ends well; what it says goes into `log`. No shell reads the names.
 bool succeeds(measuring::Command command, const fs::path& log) {
   fs::remove(log);
   command.errors = log;
   const measuring::Ran ran = measuring::run(command);
-  std::ofstream(log, std::ios::binary | std::ios::app) << ran.output;
+  write_all(log, ran.output, std::ios::app);
   return ran.status == 0;
 }
 
@@ -32,7 +39,7 @@ bool can_start(const std::string& program) try {
 
 // Only what differs is written, so that nothing else is built anew.
 void write(const fs::path& file, const std::string& text) {
-  if (!fs::exists(file) || text_of(file) != text) std::ofstream(file, std::ios::binary) << text;
+  if (!fs::exists(file) || text_of(file) != text) write_all(file, text, std::ios::trunc);
 }
 
 void copy_tree(const fs::path& from, const fs::path& to) {
