@@ -7,9 +7,9 @@
 #include <memory>
 #include <string_view>
 
-#include "methods/wide.h"
+#include "kernel/wide.h"
 #include "output/machine.h"
-#include "system/kernel.h"
+#include "kernel/loops.h"
 
 namespace {
 
@@ -84,7 +84,7 @@ struct Patch {
                                 spin[a] - spin[b],
                                 radius / 2,
                                 0.15};
-      const furrow::TouchForce f = furrow::hertz_mindlin<true>(law, touch, model.rolling_smoothing);
+      const furrow::TouchForce f = furrow::hertz_mindlin(law, touch, model.rolling_smoothing);
       pushing += f.normal > 0 ? 1 : 0;
       if (-f.normal * nx - f.tangential * ny != block->fx[k]) return false;
       if (-f.normal * ny + f.tangential * nx != block->fy[k]) return false;

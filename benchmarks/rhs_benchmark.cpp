@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "scene/read.h"
-#include "system/events.h"
-#include "system/prepare.h"
-#include "system/run.h"
+#include "run/events.h"
+#include "run/prepare.h"
+#include "run/run.h"
 
 namespace {
 

@@ -17,11 +17,12 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/kernel.h"
 #include "methods/method.h"
 #include "output/machine.h"
+#include "run/events.h"
+#include "run/prepare.h"
 #include "scene/packing.h"
-#include "system/events.h"
-#include "system/prepare.h"
 #include "tracking/kernels.h"
 
 namespace {
@@ -121,13 +122,13 @@ void evaluation_in_random_order(benchmark::State& state) { evaluate(state, bed_i
 void evaluation_with_new_list(benchmark::State& state) {
   Bed bed = bed_of(state);
   double height = 0.5;  // m
-  const long before = bed.system.search().rebuilds;
+  const long before = furrow::kernel_of(bed.system.solver()).search().rebuilds;
   for (auto _ : state) {
     for (int i = 0; i < bed.discs(); ++i) bed.y[bed.system.y_of(i)] += height;
     height = -height;
     bed.system.rhs(0, bed.y, bed.rates);
   }
-  if (bed.system.search().rebuilds - before != static_cast<long>(state.iterations()))
+  if (furrow::kernel_of(bed.system.solver()).search().rebuilds - before != static_cast<long>(state.iterations()))
     state.SkipWithError("an evaluation went without a new list");
   count(state, bed.discs());
 }
@@ -176,9 +177,9 @@ void packing(benchmark::State& state) {
 // What the floor and the side walls carry, of the weight of all discs.
 double share_carried(const furrow::Prepared& p) {
   double carried = 0, weight = 0;
-  p.system.for_each_touch(0, p.y, [&](const furrow::TouchBlock& c) {
-    if (c.kind != furrow::disc_wall) return;
-    for (int k = 0; k < c.count; ++k) carried += c.fy[k];
+  p.system.for_each_contact(0, p.y, [&](const furrow::Contact& c) {
+    if (c.id.kind != furrow::disc_wall) return;
+    carried += c.fy;
   });
   for (const double mass : p.system.parts().disc.mass) weight += mass * p.system.gravity();
   return carried / weight;

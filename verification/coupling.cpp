@@ -13,7 +13,7 @@
 #include <numbers>
 #include <string>
 
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/check.h"
 #include "verification/running.h"
 

@@ -9,7 +9,7 @@
 //
 // Source: Antypov and Elliott 2011 (Europhys. Lett. 94, 50004); spheres of test 3 of Chung and Ooi 2011 (Granular
 // Matter 13, 643): radius 2.5 mm at 3.9 m/s on a rigid wall.
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/damped_hertz.h"
 #include "verification/impact.h"
 

@@ -8,7 +8,7 @@
 //
 // Source: the equations of motion times the velocities; Hairer, Norsett and Wanner, Solving Ordinary Differential
 // Equations I, for the orders.
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/check.h"
 #include "verification/frozen_scenes.h"
 

@@ -10,7 +10,7 @@
 // Numerical Integration, and, for pece, from the roots of r^2 = r (1 + z + 3/4 z^2) - 1/4 z^2.
 #include <complex>
 
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/spring.h"
 
 namespace furrow::verification {

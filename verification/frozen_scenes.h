@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "scene/read.h"
-#include "system/prepare.h"
-#include "system/run.h"
+#include "run/prepare.h"
+#include "run/run.h"
 
 namespace furrow::verification {
 
@@ -37,7 +37,7 @@ inline Scene frozen(Scene scene, const System& system, double t, const State& y)
     if (system.has_friction()) scene.disc[i].spin = y[system.spin_of(i)];
   }
   const NodeArrays& node = system.parts().node;
-  const System::Nodes now = system.nodes(y);
+  const NodeMotion now = system.nodes(y);
   for (Lattice& l : scene.lattice) l.node.clear();
   for (int n = 0; n < node.count(); ++n) {
     Lattice& l = scene.lattice[node.lattice[n]];

@@ -5,7 +5,7 @@
 //
 // Source: Hertz 1882; test 2 of Chung and Ooi 2011 (Granular Matter 13, 643): sphere of radius 0.1 m at 0.2 m/s.
 // For a rigid wall the second term of 1/E* vanishes; a wall of the sphere's material doubles it.
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/impact.h"
 
 namespace furrow::verification {

@@ -8,7 +8,7 @@
 // Source: invariance of Newton's laws; IEEE 754.
 #include <algorithm>
 
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/check.h"
 #include "verification/frozen_scenes.h"
 

@@ -6,6 +6,7 @@
 // Source: Newton's third law.
 #include <algorithm>
 
+#include "kernel/kernel.h"
 #include "verification/check.h"
 #include "verification/frozen_scenes.h"
 
@@ -15,7 +16,7 @@ namespace {
 // Rows of discs that overlap and move at random, three chunks of them and no two neighbours with neighbouring numbers.
 // Neither weight nor walls.
 Scene bed_of_three_chunks(bool backwards) {
-  constexpr int count = 2 * NeighbourSearch::discs_a_chunk + 807, a_row = 90, stride = 2521;  // prime to each other
+  constexpr int count = 2 * discs_per_block + 807, a_row = 90, stride = 2521;  // prime to each other
   Scene scene = case_of(scenes / "scenario_2.toml").scene;
   scene.model.gravity = 0;
   scene.wall.clear();
@@ -41,7 +42,7 @@ TEST(LargeBed, SumsItsForcesInAnyOrder) {
   State rates(y.size()), rates_back(y.size());
   bed.rhs(0, y, rates);
   backwards.rhs(0, y_back, rates_back);
-  expect_true("pairs that reach into another chunk", bed.search().spills > count / 2,
+  expect_true("pairs that reach into another chunk", kernel_of(bed.solver()).search().spills > count / 2,
               "otherwise the test would be of nothing");
   double sum_x = 0, sum_y = 0, size = 0, largest = 0, apart = 0, turned = 0, largest_turn = 0;
   for (int i = 0; i < count; ++i) {

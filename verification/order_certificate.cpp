@@ -14,7 +14,7 @@
 #include "studies/order_observed.h"
 #include "studies/order_predicted.h"
 #include "studies/order_trends.h"
-#include "system/system.h"
+#include "run/system.h"
 #include "verification/check.h"
 #include "verification/damped_hertz.h"
 

@@ -12,7 +12,8 @@
 // overlap of d; b = R - d, or R with `lever = "radius"`.
 #include <algorithm>
 
-#include "system/observe.h"
+#include "kernel/kernel.h"
+#include "run/observe.h"
 #include "verification/impact.h"
 
 namespace furrow::verification {
@@ -143,7 +144,7 @@ TEST(ParticleStress, PureShear) {
   const double shear_modulus = soil.young / (2 * (2 - soil.poisson) * (1 + soil.poisson));
   const double stiffness = 8 * shear_modulus * std::sqrt(radius * overlap);
   const double stretch = 0.2 * friction * force / stiffness;  // m, far from the limit
-  const auto& walls = system.search().candidates[disc_wall];
+  const auto& walls = kernel_of(system.solver()).search().candidates[disc_wall];
   for (int k = 0; k < walls.count(); ++k) {
     const bool upright = walls.b[k] == left || walls.b[k] == right;
     y[system.first_spring() + walls.slot[k]] = upright ? -stretch : stretch;

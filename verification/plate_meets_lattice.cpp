@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/check.h"
 #include "verification/running.h"
 

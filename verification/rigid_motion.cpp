@@ -11,7 +11,7 @@
 // Source: the equations of motion; the misprints are listed in validation/decisions.md.
 #include <numbers>
 
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "system/run.h"
+#include "run/run.h"
 
 namespace furrow::verification {
 

@@ -5,7 +5,7 @@
 //
 // Source: any textbook of mechanics, for example Meirovitch, Fundamentals of Vibrations, chapter 2; for the error of a
 // one-step method on a linear system Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.8.
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/spring.h"
 
 namespace furrow::verification {

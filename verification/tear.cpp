@@ -11,7 +11,7 @@
 #include <numbers>
 #include <set>
 
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/bare_lattice.h"
 #include "verification/check.h"
 #include "verification/running.h"

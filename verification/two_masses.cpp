@@ -5,7 +5,7 @@
 //   momentum, and angular momentum about the centre m* r^2 Omega, stay
 //
 // Source: the two-body problem in any textbook of mechanics.
-#include "system/observe.h"
+#include "run/observe.h"
 #include "verification/spring.h"
 
 namespace furrow::verification {

@@ -17,7 +17,7 @@
 #include "output/files.h"
 #include "output/machine.h"
 #include "rivals/rivals.h"
-#include "system/observe.h"
+#include "run/observe.h"
 
 namespace {
 

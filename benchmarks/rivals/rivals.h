@@ -8,7 +8,7 @@
 
 #include "measuring/process.h"
 #include "scene/scene.h"
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 namespace furrow::rivals {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "studies/study.h"
-#include "system/run.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 namespace furrow::studies {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "system/run.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {
@@ -13,12 +13,10 @@ namespace {
 std::pair<double, double> force_on_plates(const System& system, double t, const State& y) {
   double x = 0;
   double height = 0;
-  system.for_each_touch(t, y, [&](const TouchBlock& c) {
-    if (c.kind != disc_plate && c.kind != node_plate) return;
-    for (int k = 0; k < c.count; ++k) {
-      x -= c.force_x(k);
-      height -= c.force_y(k);
-    }
+  system.for_each_contact(t, y, [&](const Contact& c) {
+    if (!of_plate(c.id.kind)) return;
+    x -= c.fx;
+    height -= c.fy;
   });
   return {x, height};
 }

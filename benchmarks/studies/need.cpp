@@ -10,7 +10,6 @@
 #include "studies/catalogue.h"
 #include "studies/measured_run.h"
 #include "studies/need_terms.h"
-#include "studies/rest.h"
 
 namespace furrow::studies {
 namespace {
@@ -302,7 +301,6 @@ Json need(const Settings& settings) {
   for (const Runs& runs : all) not_needed[hash_of(runs.subject.scene())] = add_subject(report, runs);
   report.data({{"not_needed", not_needed}});
   add_ledger_claim(report, all);
-  if (!settings.quick) add_rest(report, settings);
   return report.json();
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "system/run.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {

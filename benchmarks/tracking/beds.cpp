@@ -5,8 +5,8 @@
 #include "output/files.h"
 #include "scene/packing.h"
 #include "scene/read.h"
-#include "system/prepare.h"
-#include "system/run.h"
+#include "run/prepare.h"
+#include "run/run.h"
 #include "tracking/kernels.h"
 
 namespace furrow::tracking {

@@ -12,8 +12,8 @@
 #include "methods/method.h"
 #include "output/run_files.h"
 #include "scene/read.h"
-#include "system/observe.h"
-#include "system/run.h"
+#include "run/observe.h"
+#include "run/run.h"
 
 namespace furrow::tracking {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "methods/history.h"
-#include "methods/ode.h"
+#include "system/history.h"
+#include "system/ode.h"
 
 namespace furrow {
 

@@ -6,7 +6,7 @@
 // name or type, this does not compile.
 #pragma once
 
-#include "methods/history.h"
+#include "system/history.h"
 
 namespace furrow {
 

@@ -13,8 +13,8 @@
 // the energy ledger are a step late there. Stable for h lambda from minus the limit to 0 on the real axis, up to |h
 // lambda| on the imaginary one. Sources: Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al.
 // 2004, as the paper cites it; the forms: Hairer, Norsett and Wanner, Solving ODEs I, III.1 and III.8.
+#include "kernel/passes.h"
 #include "methods/method.h"
-#include "methods/passes.h"
 
 namespace furrow {
 namespace {

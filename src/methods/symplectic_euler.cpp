@@ -5,8 +5,8 @@
 // Order 1, one evaluation a step. Symplectic without damping, and stable to h omega = 2; with the damping ratio zeta to
 // h omega = 2 (sqrt(1 + zeta^2) - zeta); on the real axis, of z, to 2. Source: de Vogelaere 1956; Hairer, Lubich and
 // Wanner, Geometric Numerical Integration, I.1.2.
+#include "kernel/passes.h"
 #include "methods/method.h"
-#include "methods/passes.h"
 
 namespace furrow {
 namespace {

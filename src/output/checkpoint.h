@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
-#include "methods/history.h"
 #include "output/files.h"
+#include "system/history.h"
 
 namespace furrow {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "system/system.h"
+#include "run/system.h"
 
 namespace furrow {
 
@@ -16,7 +16,7 @@ class FirstTouch {
     const NodeArrays& node = system.parts().node;
     for (std::size_t k = 0; k < system.parts().plate.size(); ++k) {
       const PlatePart& plate = system.parts().plate[k];
-      const System::PlateAt at = system.plate_at(static_cast<int>(k), t);
+      const PlateAt at = system.plate_at(static_cast<int>(k), t);
       for (const int body : node.body) {
         if (body < 0) continue;
         const double right = y[system.x_of(body)] - at.left, up = y[system.y_of(body)] - at.lower;

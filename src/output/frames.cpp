@@ -2,8 +2,8 @@
 
 #include <iterator>
 
+#include "run/observe.h"
 #include "scene/wording.h"
-#include "system/observe.h"
 
 namespace furrow {
 namespace {
@@ -91,7 +91,7 @@ Table links_of(const System& system, const State& y) {
               {"points", {0, 1, 2, 3}},
               {{"force [N]", {4}}, {"kind", {6}, "Int32"}}};
   const LinkArrays& link = system.parts().link;
-  const System::Nodes node = system.nodes(y);
+  const NodeMotion node = system.nodes(y);
   const std::vector<double> force = link_forces(system, y);
   for (int k = 0; k < link.count(); ++k) {
     if (system.torn(k)) continue;

@@ -1,9 +1,9 @@
 // Pictures of a run at chosen times: CSV for figures, VTK (.vtp and a .pvd that lists them) for ParaView.
 #pragma once
 
-#include "methods/history.h"
 #include "output/files.h"
-#include "system/system.h"
+#include "run/system.h"
+#include "system/history.h"
 
 namespace furrow {
 

@@ -10,8 +10,8 @@
 #include "output/checkpoint.h"
 #include "output/first_touch.h"
 #include "output/series.h"
-#include "system/prepare.h"
-#include "system/run.h"
+#include "run/prepare.h"
+#include "run/run.h"
 
 namespace furrow {
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "methods/floating_point.h"
 #include "output/build_info.h"
 #include "output/first_touch.h"
 #include "output/machine.h"
@@ -14,10 +13,11 @@
 #include "output/run_checkpoint.h"
 #include "output/series.h"
 #include "output/validity_json.h"
+#include "run/observe.h"
+#include "run/prepare.h"
+#include "run/stiffness.h"
 #include "scene/read.h"
-#include "system/observe.h"
-#include "system/prepare.h"
-#include "system/stiffness.h"
+#include "system/floating_point.h"
 
 namespace furrow {
 namespace {
@@ -58,7 +58,7 @@ class SaveClock {
 void write_state(const fs::path& directory, const System& system, double t, const State& y) {
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   const Parts& parts = system.parts();
-  const System::Nodes nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(y);
   OutputFile file(directory / "state.csv",
                   "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]");
   for (int i = 0; i < parts.disc.count(); ++i) {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "run/run.h"
 #include "scene/scene.h"
-#include "system/run.h"
 
 namespace furrow {
 

@@ -9,8 +9,8 @@
 
 #include "output/files.h"
 #include "output/frames.h"
+#include "run/validity.h"
 #include "scene/scene.h"
-#include "system/validity.h"
 
 namespace furrow {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "system/validity.h"
+#include "run/validity.h"
 
 namespace furrow {
 

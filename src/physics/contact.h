@@ -106,28 +106,69 @@ struct TouchForce {
   return spring > reach ? reach : spring < -reach ? -reach : spring;
 }
 
-// The second half.
-template <bool Rolling>
-[[gnu::always_inline]] inline void rub(const ContactLaw& law, const Touch& c, double limit, double rolling_smoothing,
-                                       TouchForce& f) {
+// The second half: N, on body i along the tangent.
+[[gnu::always_inline]] inline double tangential_force(const Touch& c, const TouchForce& f, double limit) {
   const double stick = -f.shear_stiffness * c.spring - f.shear_viscosity * c.slip;
   const double capped = stick > limit ? limit : stick;
-  f.tangential = capped < -limit ? -limit : capped;
-
-  if constexpr (Rolling) {
-    const double pressed = f.normal > 0 ? f.normal : 0;
-    f.moment = -law.rolling * c.reduced_radius * pressed * c.spin /
-               std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
-  }
+  return capped < -limit ? -limit : capped;
 }
 
-template <bool Rolling>
+// N m, on body i.
+[[gnu::always_inline]] inline double rolling_moment(const ContactLaw& law, const Touch& c, double normal,
+                                                    double rolling_smoothing) {
+  const double pressed = normal > 0 ? normal : 0;
+  return -law.rolling * c.reduced_radius * pressed * c.spin /
+         std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
+}
+
+// The whole law. rolling_smoothing: rad/s, w0.
 inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
   TouchForce f{};
   press(law, c, f);
-  rub<Rolling>(law, c, coulomb_limit(law, f), rolling_smoothing, f);
+  f.tangential = tangential_force(c, f, coulomb_limit(law, f));
+  f.moment = law.rolling > 0 ? rolling_moment(law, c, f.normal, rolling_smoothing) : 0;
   return f;
 }
+
+// W, what one contact takes or gives, by cause. The tangential spring holds 1/2 St xi^2; it changes by the slip,
+// St xi vt, and because St, which goes with sqrt(d), follows the overlap: 1/2 xi^2 dSt/dt = 1/4 xi^2 St d'/d, the
+// `stiffening`, which no force pays for: a property of Mindlin's law without rescaling.
+struct TouchPowers {
+  double viscous;     // of the normal damper
+  double sticking;    // of the tangential damper, while the contact sticks
+  double sliding;     // heat of friction, while it slides
+  double rolling;     // heat of rolling friction, as the moment's power: negative
+  double stiffening;  // given to the tangential spring
+};
+
+[[gnu::always_inline]] inline TouchPowers touch_powers(const Touch& c, const TouchForce& f) {
+  const double stick = -f.shear_stiffness * c.spring - f.shear_viscosity * c.slip;
+  const double lost = -f.tangential * c.slip - f.shear_stiffness * c.spring * c.slip;
+  const bool sticks = stick == f.tangential;
+  const double rate = 0.25 * c.spring * c.spring * f.shear_stiffness * c.approach / c.overlap;
+  return {(f.normal - f.elastic) * c.approach, sticks ? lost : 0, sticks ? 0 : lost, f.moment * c.spin,
+          c.overlap > 0 ? rate : 0};  // two discs exactly at touch have none
+}
+
+// Their sums.
+struct ContactPowers {
+  double viscous = 0, friction = 0, rolling = 0, stiffening = 0;  // W
+
+  void add(const TouchPowers& one, bool of_friction) {
+    viscous += one.viscous;
+    if (!of_friction) return;
+    viscous += one.sticking;
+    friction += one.sliding;
+    rolling -= one.rolling;
+    stiffening += one.stiffening;
+  }
+  void add(const ContactPowers& others) {
+    viscous += others.viscous;
+    friction += others.friction;
+    rolling += others.rolling;
+    stiffening += others.stiffening;
+  }
+};
 
 // What the normal spring holds: the integral of Fe from 0 to d.
 inline double elastic_energy(double elastic, double overlap) { return 0.4 * elastic * overlap; }
@@ -153,6 +194,20 @@ inline double impact_factor(const ContactLaw& law) {
 inline double impact_overlap(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
   const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(reduced_radius);
   return std::pow(5 * reduced_mass * speed * speed / (4 * factor), 0.4);
+}
+
+// s: how long it lasts, 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10) d/v with its greatest overlap d.
+inline double impact_duration(double overlap, double speed) { return 2.943275184324047 * overlap / speed; }
+
+// rad/s: of the oscillator that an elastic impact is like, sqrt(Sn/m*) at its greatest overlap.
+inline double impact_frequency(double overlap, double speed) { return std::sqrt(15.0 / 8.0) * speed / overlap; }
+
+// s^5: the fifth power of a contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5).
+inline double time_scale_to_the_fifth(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
+  const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+  const double damped = beta > 1 ? beta : 1;
+  const double elastic = law.modulus * law.modulus * reduced_radius * speed;
+  return reduced_mass * reduced_mass / (elastic * damped * damped * damped * damped);
 }
 
 }  // namespace furrow

@@ -14,7 +14,7 @@ enum ExitCode { good = 0, check_failed = 1, bad_input = 2, diverged = 3, io_fail
 struct RunOptions {
   std::string scene;
   // What changes the scene, as it was given: what the texts must be stands in the scene's schema.
-  std::optional<std::string> method, step, until, locate, threads;
+  std::optional<std::string> method, step, until, locate, threads, solver;
   std::string resume;     // directory of a run to go on with; empty: begin
   std::string directory;  // empty: runs/<name of the scene>
 };

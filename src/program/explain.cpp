@@ -4,18 +4,17 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "methods/method.h"
-#include "page/embedded.h"
 #include "program/commands.h"
 #include "program/explain_line.h"
 #include "program/explain_validity.h"
 #include "program/progress.h"
+#include "run/observe.h"
+#include "run/prepare.h"
+#include "run/stiffness.h"
 #include "scene/read.h"
-#include "system/observe.h"
-#include "system/prepare.h"
-#include "system/stiffness.h"
+#include "system/order.h"
 
 namespace furrow {
 namespace {
@@ -58,8 +57,7 @@ void print_left_out(const Scene& scene, const System& system) {
     line("rolling resistance", "every rolling friction coefficient is zero");
   if (parts.disc.count() == 0) line("neighbour search", "no discs");
   if (scene.search.threads > system.threads())
-    line("threads", "search.threads = %d is for beds of more than %d discs", scene.search.threads,
-         NeighbourSearch::discs_a_chunk);
+    line("threads", "search.threads = %d is for beds of more than %d discs", scene.search.threads, discs_per_block);
   if (scene.model.gravity == 0) line("gravity", "model.gravity = 0");
   for (const Lattice& l : scene.lattice) {
     const std::string name = "lattice " + l.name;
@@ -76,19 +74,6 @@ void print_left_out(const Scene& scene, const System& system) {
   if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
   print_borders(scene, parts);
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
-}
-
-// What the study of need found for exactly this scene, if it is one of those that it tried.
-void print_not_needed(const Scene& scene) {
-  std::array<char, 20> hash{};
-  std::snprintf(hash.data(), hash.size(), "%016llx", static_cast<unsigned long long>(scene_hash(scene)));
-  const auto study = nlohmann::json::parse(embedded("reference_data/studies/need.json"));
-  const auto terms = study.at("data").at("not_needed");
-  if (!terms.contains(hash.data())) return;
-  std::printf("\nnot needed (without it all that is observed changes by less than the tolerance: furrow study need)\n");
-  for (const auto& t : terms.at(hash.data()))
-    line("", "%s%s; CPU time saved: %s", t.at("term").get<std::string>().c_str(),
-         t.at("certain").get<bool>() ? "" : " (not certain)", t.at("saved").get<std::string>().c_str());
 }
 
 double characteristic_speed(const Scene& scene) {
@@ -127,17 +112,15 @@ void print_smallest_disc(const Scene& scene, const Parts& parts) {
   if (std::isinf(law.modulus)) return;
   const double speed = characteristic_speed(scene);
   const double radius = disc.radius[least] / 2, mass = disc.mass[least] / 2;
-  const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(radius);
-  const double overlap = std::pow(5 * mass * speed * speed / (4 * factor), 0.4);
-  const double stiffness = 2 * law.modulus * std::sqrt(radius * overlap);
+  const double overlap = impact_overlap(law, radius, mass, speed);
+  TouchForce deepest{};
+  press(law, {overlap, 0, 0, 0, 0, radius, mass}, deepest);
   line("smallest disc", "R = %g m, m = %.6g kg, I = %.6g kg m^2", disc.radius[least], disc.mass[least],
        disc.inertia[least]);
-  // 2.943275 = 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10)
   line("two of them, elastic", "closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s", speed,
-       overlap, overlap / disc.radius[least], factor * overlap * std::sqrt(overlap),
-       2.943275184324047 * overlap / speed);
-  line("critical damping", "at that overlap: %.4g N s/m; the scene has %.4g N s/m", 2 * std::sqrt(stiffness * mass),
-       law.viscosity * std::sqrt(stiffness * mass));
+       overlap, overlap / disc.radius[least], deepest.elastic, impact_duration(overlap, speed));
+  line("critical damping", "at that overlap: %.4g N s/m; the scene has %.4g N s/m",
+       2 * std::sqrt(deepest.stiffness * mass), law.viscosity * std::sqrt(deepest.stiffness * mass));
 }
 
 void print_start(const Prepared& prepared) {
@@ -186,7 +169,6 @@ int explain_command(const RunOptions& options) {
   for (const std::string& text : scene_warnings(scene)) std::printf("warning: %s\n", text.c_str());
   print_modelled(scene, system);
   print_left_out(scene, system);
-  print_not_needed(scene);
   print_contacts(scene, system);
   print_smallest_disc(scene, system.parts());
   print_passing(system.parts());

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "program/explain_line.h"
+#include "run/observe.h"
+#include "run/stiffness.h"
 #include "scene/wording.h"
-#include "system/observe.h"
-#include "system/stiffness.h"
 
 namespace furrow {
 namespace {

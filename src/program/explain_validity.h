@@ -1,7 +1,7 @@
 // The parts of furrow explain that say what a scene may do to the validity of its laws.
 #pragma once
 
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 namespace furrow {
 

@@ -9,9 +9,9 @@
 #include "program/commands.h"
 #include "program/signals.h"
 #include "program/usage.h"
+#include "run/prepare.h"
 #include "scene/packing.h"
 #include "scene/read.h"
-#include "system/prepare.h"
 
 namespace furrow {
 namespace {
@@ -65,6 +65,8 @@ int parse_and_run(int argc, char** argv) {
       ->type_name("WORD");
   run->add_option("--threads", options.threads, "threads in one step, for beds of more than 4,096 discs")
       ->type_name("NUMBER");
+  run->add_option("--solver", options.solver, "kernel, or reference: every pair, one after the other, to the same bits")
+      ->type_name("WORD");
   auto* out =
       run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")->type_name("DIR");
   run->add_option("--resume", options.resume, "go on with the run in this directory, from its last checkpoint")

@@ -5,11 +5,11 @@
 
 #include "methods/method.h"
 #include "program/commands.h"
+#include "run/prepare.h"
 #include "scene/packing.h"
 #include "scene/read.h"
 #include "scene/set_key.h"
 #include "scene/wording.h"
-#include "system/prepare.h"
 
 namespace furrow {
 namespace {
@@ -20,12 +20,13 @@ struct Change {
   const std::optional<std::string>& text;
 };
 
-std::array<Change, 5> changes_of(const RunOptions& o) {
+std::array<Change, 6> changes_of(const RunOptions& o) {
   return {{{"--method", "time.method", o.method},
            {"--dt", "time.step", o.step},
            {"--until", "time.end", o.until},
            {"--locate", "time.locate", o.locate},
-           {"--threads", "search.threads", o.threads}}};
+           {"--threads", "search.threads", o.threads},
+           {"--solver", "time.solver", o.solver}}};
 }
 
 // What the schedule of the file cannot be under another end or step follows it: a run to an earlier end has no pictures

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/geometry.h"
 #include "scene/scene.h"
-#include "system/geometry.h"
 
 namespace furrow {
 

@@ -23,8 +23,10 @@ void judge_keys(const Scene& s, Findings& found) {
   idle(s.model.disc_depth != defaults.model.disc_depth, s.model.disc_mass == DiscMass::sphere, "model.disc_depth",
        "the masses are those of spheres");
   idle(s.search.threads > 1, discs <= threaded_discs, "search.threads", "it is for beds of more than 4096 discs");
-  const bool brute = s.search.mode == SearchMode::brute_force;
-  idle(s.search.cell_size > 0, brute, "search.cell_size", "search.mode is brute_force");
+  const bool searched = s.time.solver == SolverKind::kernel;
+  idle(s.search.cell_size > 0, !searched, "search.cell_size", "time.solver is reference");
+  idle(s.search.skin > 0, !searched, "search.skin", "time.solver is reference");
+  idle(s.search.threads > 1, !searched, "search.threads", "time.solver is reference");
   bool rolls = s.contact.rolling_friction > 0;
   for (const ContactPair& p : s.contact.pair) rolls = rolls || p.rolling_friction.value_or(0) > 0;
   idle(s.model.rolling_smoothing != defaults.model.rolling_smoothing, !rolls, "model.rolling_smoothing",

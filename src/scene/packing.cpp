@@ -7,14 +7,15 @@
 #include <random>
 #include <utility>
 
+#include "physics/geometry.h"
 #include "scene/interrupt.h"
-#include "system/search.h"
-#include "system/unit_vector.h"
+#include "scene/unit_vector.h"
 
 namespace furrow {
 namespace {
 
 constexpr int most_for_one = 20'000;  // attempts
+constexpr int unsorted = 4096;        // discs of a packing: more than these are numbered by place, see sort_by_place
 
 // Uniform in [0, 1) with 53 bits: std::uniform_real_distribution is not the same everywhere.
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
@@ -93,7 +94,7 @@ bool place(Scene& scene, const Packing& p, std::size_t index, long& left) {
     placed.add(scene.disc.back());
   }
   // A large bed is numbered by place, so that neighbours are near in memory.
-  if (p.count <= NeighbourSearch::discs_a_chunk) return true;
+  if (p.count <= unsorted) return true;
   const auto before = [&](const Disc& d, const Disc& e) {
     const double column_d = std::floor(d.position.x / p.radius_max), column_e = std::floor(e.position.x / p.radius_max);
     return column_d != column_e ? column_d < column_e : d.position.y < e.position.y;

@@ -22,7 +22,9 @@ enum class DiscMass { disc, sphere };        // m = rho pi R^2 b, I = m R^2 / 2;
 enum class Lever { overlap, radius };        // arm of the contact force: to the contact point, or the whole radius
 enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
 enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
-enum class SearchMode { cells, brute_force };
+// The fast solver, or the one that is there to be read and to judge it: the same bits, some ten times slower and more
+// in larger beds.
+enum class SolverKind { kernel, reference };
 // What steps end at: nothing (a tear is learnt of at the end of its step, as in the paper), tears, or touches and slips
 // too, which is for scenes with few of them. See events.h.
 enum class Locate { none, tears, all };
@@ -44,13 +46,13 @@ struct Timing {
   double absolute_tolerance = 1e-9;  // m, m/s, rad/s
   double max_step = 1e-3;            // s, for controlled methods
   Locate locate = Locate::none;
+  SolverKind solver = SolverKind::kernel;
 };
 
 struct Search {
-  SearchMode mode = SearchMode::cells;
   double skin = 0;       // m, added to the reach of the neighbour list; 0: chosen from the radii
   double cell_size = 0;  // m; 0: the reach of the neighbour list
-  int threads = 1;       // in one step, for beds of more than NeighbourSearch::discs_a_chunk discs
+  int threads = 1;       // in one step, for beds of more than discs_per_block discs
 };
 
 // Young's modulus and one of Poisson's ratio and shear modulus. A rigid material does not deform at all.
@@ -72,7 +74,7 @@ struct ContactPair {
   std::optional<double> rolling_friction{};  // mu_r, -
 };
 
-struct Contact {
+struct ContactParameters {
   std::optional<double> damping_factor{};  // beta, -
   std::optional<double> restitution{};     // -
   double friction = 0;                     // mu, -
@@ -191,7 +193,7 @@ struct Scene {
   Model model{};
   Timing time{};
   Search search{};
-  Contact contact{};
+  ContactParameters contact{};
   std::vector<Material> material{};
   std::vector<Disc> disc{};
   std::vector<Packing> packing{};

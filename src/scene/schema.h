@@ -32,10 +32,10 @@ void describe(auto& v, Timing& t) {
   v("absolute_tolerance", t.absolute_tolerance, "m, m/s, rad/s", Range{1e-18, 1});
   v("max_step", t.max_step, "s", positive);
   v.choice("locate", t.locate, {{"none", Locate::none}, {"tears", Locate::tears}, {"all", Locate::all}});
+  v.choice("solver", t.solver, {{"kernel", SolverKind::kernel}, {"reference", SolverKind::reference}});
 }
 
 void describe(auto& v, Search& s) {
-  v.choice("mode", s.mode, {{"cells", SearchMode::cells}, {"brute_force", SearchMode::brute_force}});
   v("skin", s.skin, "m", not_negative);
   v("cell_size", s.cell_size, "m", not_negative);
   v("threads", s.threads, "", Range{1, 64});
@@ -63,7 +63,7 @@ void describe(auto& v, ContactPair& p) {
   describe_coefficients(v, p);
 }
 
-void describe(auto& v, Contact& c) {
+void describe(auto& v, ContactParameters& c) {
   describe_coefficients(v, c);
   v("pair", c.pair);
 }

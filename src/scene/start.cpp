@@ -15,12 +15,12 @@
 #include <string>
 #include <vector>
 
+#include "physics/geometry.h"
 #include "scene/border.h"
 #include "scene/findings.h"
+#include "scene/grid.h"
+#include "scene/unit_vector.h"
 #include "scene/wording.h"
-#include "system/geometry.h"
-#include "system/grid.h"
-#include "system/unit_vector.h"
 
 namespace furrow {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "scene/findings.h"
 #include "scene/read.h"
+#include "scene/unit_vector.h"
 #include "scene/wording.h"
-#include "system/unit_vector.h"
 
 namespace furrow {
 namespace {

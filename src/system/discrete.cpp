@@ -1,10 +1,8 @@
-// The discrete state of a system, handed out and taken in.
+#include "system/discrete.h"
+
 #include <algorithm>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
-
-#include "system/system.h"
 
 namespace furrow {
 namespace {
@@ -38,7 +36,22 @@ bool before(const DiscreteState::Held& one, const DiscreteState::Held& other) {
   return std::tie(one.kind, one.a, one.b) < std::tie(other.kind, other.a, other.b);
 }
 
-// Every slot is held once or unused, every pair is one that there can be, links ascend.
+}  // namespace
+
+DiscreteState initial_discrete_state(const Layout& layout) {
+  DiscreteState d;
+  for (int k = layout.spring_count; k-- > 0;) d.unused.push_back(k);
+  return d;
+}
+
+bool is_torn(const DiscreteState& d, int link) { return std::binary_search(d.torn.begin(), d.torn.end(), link); }
+
+int slot_of(const DiscreteState& d, const ContactId& c) {
+  const DiscreteState::Held sought{c.kind, c.a, c.b, -1, 0};
+  const auto found = std::lower_bound(d.held.begin(), d.held.end(), sought, before);
+  return found == d.held.end() || before(sought, *found) ? -1 : found->slot;
+}
+
 bool belongs_to(const DiscreteState& d, const Parts& parts) {
   std::vector<char> seen(static_cast<std::size_t>(d.spring_count()), 0);
   const auto take = [&seen](int slot) {
@@ -51,49 +64,8 @@ bool belongs_to(const DiscreteState& d, const Parts& parts) {
   }
   for (std::size_t k = 1; k < d.held.size(); ++k) good = good && before(d.held[k - 1], d.held[k]);
   for (const int link : d.torn) good = good && link >= 0 && link < parts.link.count();
+  good = good && std::is_sorted(d.torn.begin(), d.torn.end());
   return good;
-}
-
-}  // namespace
-
-DiscreteState System::discrete_state() const {
-  DiscreteState d{{}, {}, slots_.unused, slots_.now, preparing_};
-  for (int link = 0; link < parts_.link.count(); ++link) {
-    if (torn(link)) d.torn.push_back(link);
-  }
-  for (int kind = 0; kind < contact_kinds; ++kind) {
-    const Candidates& list = search_.candidates[kind];
-    for (int k = 0; k < list.count(); ++k) {
-      if (list.slot[k] >= 0) d.held.push_back({kind, list.a[k], list.b[k], list.slot[k], list.near_at[k]});
-    }
-  }
-  return d;
-}
-
-void System::restore(const DiscreteState& d) {
-  if (!belongs_to(d, parts_) || (spares_ == 0 && d.spring_count() > 0))
-    throw std::invalid_argument("the discrete state is not one of this scene");
-  std::array<Candidates, contact_kinds> held;
-  for (const DiscreteState::Held& h : d.held) {
-    Candidates& list = held[h.kind];
-    const int k = list.count();
-    list.resize(k + 1);
-    list.a[k] = h.a;
-    list.b[k] = h.b;
-    list.slot[k] = h.slot;
-    list.near_at[k] = h.near_at;
-  }
-  search_.keep_only(held, parts_.disc.count());
-  slots_.unused = d.unused;
-  slots_.now = d.jumps;
-  preparing_ = d.preparing;
-  lay_out(d.spring_count());
-  std::fill(torn_.begin(), torn_.end(), 0);
-  for (const int link : d.torn) torn_[link] = 1;
-  intact_.clear();
-  for (int link = 0; link < parts_.link.count(); ++link) {
-    if (!torn(link)) intact_.push_back(link);
-  }
 }
 
 void DiscreteState::history(HistoryVisitor& visit) {

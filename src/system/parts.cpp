@@ -5,9 +5,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "methods/floating_point.h"
 #include "physics/disc.h"
-#include "system/unit_vector.h"
+#include "scene/unit_vector.h"
+#include "system/floating_point.h"
 
 namespace furrow {
 namespace {
@@ -24,7 +24,7 @@ Elastic elastic_of(const Material& m) {
   return {.young = *m.young, .poisson = m.poisson ? *m.poisson : *m.young / (2 * *m.shear) - 1};
 }
 
-const ContactPair* pair_of(const Contact& contact, const std::string& a, const std::string& b) {
+const ContactPair* pair_of(const ContactParameters& contact, const std::string& a, const std::string& b) {
   for (const ContactPair& p : contact.pair) {
     if ((p.materials[0] == a && p.materials[1] == b) || (p.materials[0] == b && p.materials[1] == a)) return &p;
   }
@@ -56,12 +56,40 @@ void add_discs(const Scene& scene, Parts& parts) {
     const bool flat = scene.model.disc_mass == DiscMass::disc;
     const double volume = flat ? disc_volume(d.radius, scene.model.disc_depth) : sphere_volume(d.radius);
     const double mass = scene.material[material].density * volume;
+    parts.disc.x.push_back(d.position.x);
+    parts.disc.y.push_back(d.position.y);
+    parts.disc.vx.push_back(d.velocity.x);
+    parts.disc.vy.push_back(d.velocity.y);
+    parts.disc.spin.push_back(d.spin);
     parts.disc.radius.push_back(d.radius);
     parts.disc.mass.push_back(mass);
     parts.disc.inertia.push_back(flat ? disc_inertia(mass, d.radius) : sphere_inertia(mass, d.radius));
     parts.disc.volume.push_back(volume);
     parts.disc.material.push_back(material);
   }
+}
+
+constexpr double margin_of_radius = 0.1;  // times the least radius
+
+double least_radius(const Parts& parts) {
+  double least = infinity;
+  for (const double r : parts.disc.radius) least = std::min(least, r);
+  for (const double r : parts.node.contact_radius) least = std::min(least, r);
+  return std::isfinite(least) ? least : 1;
+}
+
+// Only what matters: a spin where some disc can be turned, a spring where some contact has friction.
+void set_options(const Scene& scene, Parts& parts) {
+  parts.gravity = scene.model.gravity;
+  parts.moment_arm = scene.model.lever == Lever::overlap ? 1 : 0;
+  parts.rolling_smoothing = scene.model.rolling_smoothing;
+  for (const ContactLaw& law : parts.law) {
+    parts.rolling = parts.rolling || (law.rolling > 0 && parts.disc.count() > 0);
+    parts.friction = parts.friction || law.friction > 0;
+  }
+  parts.friction = parts.friction || parts.rolling;
+  parts.keeps_ledger = scene.output.energy;
+  parts.margin = margin_of_radius * least_radius(parts);
 }
 
 bool contains(const std::vector<int>& list, int value) {
@@ -219,6 +247,7 @@ Parts make_parts(const Scene& scene) {
     parts.plate.push_back({p.left_edge, *p.lower_edge, p.width, p.height, p.velocity.x, p.velocity.y,
                            index_of_material(scene, p.material)});
   }
+  set_options(scene, parts);
   return parts;
 }
 

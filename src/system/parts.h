@@ -13,6 +13,7 @@ enum class LinkClass { structural, shear, bending };
 std::string to_string(LinkClass kind);
 
 struct DiscArrays {
+  std::vector<double> x, y, vx, vy, spin;             // m, m/s, rad/s at t = 0
   std::vector<double> radius, mass, inertia, volume;  // m, kg, kg m^2, m^3
   std::vector<int> material;
   int count() const { return static_cast<int>(radius.size()); }
@@ -75,6 +76,14 @@ struct Parts {
   std::vector<ContactLaw> law;  // materials x materials
   int materials = 0;
   int free_nodes = 0;
+
+  double gravity = 0;            // m/s^2
+  double moment_arm = 1;         // 1: to the contact point, 0: the whole radius
+  double rolling_smoothing = 0;  // rad/s
+  bool friction = false;         // of some contact, sliding or rolling: discs spin and contacts hold a spring
+  bool rolling = false;          // friction of some contact
+  bool keeps_ledger = false;
+  double margin = 0;  // m: a contact holds a slot for its spring while its gap is below this, see discrete.h
 
   int bodies() const { return disc.count() + free_nodes; }
   int law_of(int material_a, int material_b) const { return material_a * materials + material_b; }

@@ -1,19 +1,11 @@
 // How far a disc or node is from the part that it may touch.
 #pragma once
 
-#include <array>
-
-#include "system/geometry.h"
+#include "physics/geometry.h"
+#include "system/contact.h"
 #include "system/parts.h"
 
 namespace furrow {
-
-enum ContactKind { disc_disc, disc_wall, disc_plate, disc_lattice, node_wall, node_plate };
-inline constexpr int contact_kinds = 6;
-inline constexpr std::array<const char*, contact_kinds> contact_kind_names{"disc-disc",    "disc-wall", "disc-plate",
-                                                                           "disc-lattice", "node-wall", "node-plate"};
-
-inline bool of_disc(ContactKind kind) { return kind <= disc_lattice; }
 
 // Where everything is. Arrays of discs and of nodes (fixed ones too); m, s.
 struct Placement {
@@ -33,6 +25,16 @@ struct Rectangle {
   double left, right, lower, upper;  // m
 };
 
+struct PlateAt {
+  double left, lower, vx, vy;  // m, m/s
+};
+
+// While a scene is prepared its plates stand still.
+inline PlateAt plate_at(const PlatePart& p, double t, bool preparing) {
+  if (preparing) return {p.left, p.lower, 0, 0};
+  return {p.left + p.vx * t, p.lower + p.vy * t, p.vx, p.vy};
+}
+
 inline Rectangle rectangle_at(const PlatePart& p, double t) {
   const double left = p.left + p.vx * t;
   const double lower = p.lower + p.vy * t;
@@ -44,7 +46,7 @@ inline Gap flat_gap(const Parts& parts, const Placement& now, ContactKind kind, 
   const double x = of_disc(kind) ? now.disc_x[a] : now.node_x[a];
   const double y = of_disc(kind) ? now.disc_y[a] : now.node_y[a];
   Nearest n{};
-  if (kind == disc_wall || kind == node_wall) {
+  if (of_wall(kind)) {
     const WallPart& w = parts.wall[b];
     n = nearest_on_wall(x, y, w.px, w.py, w.nx, w.ny);
   } else {

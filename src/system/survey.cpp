@@ -3,53 +3,65 @@
 #include <algorithm>
 #include <cmath>
 
-#include "system/kernel.h"
-#include "system/system.h"
-
 namespace furrow {
 namespace {
 
 double narrow(const PlatePart& p) { return std::min(p.width, p.height); }
 
-ContactId id_of(const TouchBlock& c, int k) { return {c.kind, c.a[k], c.b[k]}; }
-
-double size_of(const Parts& parts, const TouchBlock& c, int k) {
-  if (!of_disc(c.kind)) return parts.node.contact_radius[c.a[k]];
-  return c.kind == disc_disc ? std::min(c.radius_a[k], c.radius_b[k]) : c.radius_a[k];
+// Between two auxiliary points a centre passes at some distance from either.
+bool near_border(const Parts& parts, const Contact& c, double reach) {
+  if (c.id.kind != disc_lattice) return false;
+  const double spacing = parts.node.spacing[parts.border.a[c.segment]];
+  const int auxiliary = parts.lattice[c.id.b].auxiliary_points;
+  const double between = auxiliary > 0 ? spacing / (auxiliary + 1) : 0;
+  return parts.disc.radius[c.id.a] - c.touch.overlap < reach + between;
 }
 
-// Blocks of plates and lattices hold few contacts, and only those that touch.
-BlockExtremes few_extremes(const Parts& parts, const TouchBlock& c) {
-  BlockExtremes all{static_cast<double>(c.count), 0, 0};
-  for (int k = 0; k < c.count; ++k) {
-    all.overlap = std::max(all.overlap, c.overlap[k] / size_of(parts, c, k));
-    all.approach = std::max(all.approach, c.vx[k] * c.nx[k] + c.vy[k] * c.ny[k]);
-  }
-  return all;
-}
-
-void find_deepest(const Parts& parts, const TouchBlock& c, ContactExtremes& seen) {
-  for (int k = 0; k < c.count; ++k) {
-    if (c.touching[k] != 0 && c.overlap[k] / size_of(parts, c, k) == seen.overlap) seen.deepest = id_of(c, k);
-  }
-}
-
-void find_hardest(const Parts& parts, const TouchBlock& c, ContactExtremes& seen) {
-  for (int k = 0; k < c.count; ++k) {
-    const double approach = c.vx[k] * c.nx[k] + c.vy[k] * c.ny[k];
-    if (c.touching[k] == 0 || !(approach > 0)) continue;
-    const ContactLaw& law = parts.law[c.law[k]];
-    const double left = approach * impact_factor(law);  // m/s, of which the damping will not have taken all
-    const double energy =
-        0.5 * c.reduced_mass[k] * left * left + elastic_energy(law, c.reduced_radius[k], c.overlap[k]);
-    const double impact = energy / passing_work(parts, id_of(c, k), law, c.reduced_radius[k]);
-    if (!(impact > seen.impact)) continue;
-    seen.impact = impact;
-    seen.hardest = id_of(c, k);
-  }
+// m: what an overlap is compared with.
+double size_of(const Parts& parts, const ContactId& pair) {
+  if (!of_disc(pair.kind)) return parts.node.contact_radius[pair.a];
+  const double a = parts.disc.radius[pair.a];
+  return pair.kind == disc_disc ? std::min(a, parts.disc.radius[pair.b]) : a;
 }
 
 }  // namespace
+
+void Survey::begin(const Parts& parts) {
+  seen = {};
+  near.clear();
+  plate_fx.assign(parts.plate.size(), 0.0);
+  plate_fy.assign(parts.plate.size(), 0.0);
+}
+
+void Survey::see(const Parts& parts, const Contact& c, ContactExtremes& sum) {
+  ++sum.contacts;
+  const double relative = c.touch.overlap / size_of(parts, c.id);
+  if (relative > sum.overlap) {
+    sum.overlap = relative;
+    if (relative > known_overlap) sum.deepest = c.id;
+  }
+  see_impact(parts, c, sum);
+  const double radius = of_disc(c.id.kind) ? parts.disc.radius[c.id.a] : 0;
+  if (c.id.kind == disc_wall && c.touch.overlap > radius) ++sum.behind_walls;
+  if (of_plate(c.id.kind)) {
+    plate_fx[c.id.b] -= c.fx;
+    plate_fy[c.id.b] -= c.fy;
+    if (c.touch.overlap > radius) near.push_back({c.id, -1});
+  }
+  if (near_border(parts, c, reach)) near.push_back({c.id, c.segment});
+}
+
+void Survey::see_impact(const Parts& parts, const Contact& c, ContactExtremes& sum) const {
+  if (!(c.touch.approach > fast)) return;
+  const ContactLaw& law = parts.law[c.law];
+  const double left = c.touch.approach * impact_factor(law);  // m/s, of which the damping will not have taken all
+  const double energy =
+      0.5 * c.touch.reduced_mass * left * left + elastic_energy(law, c.touch.reduced_radius, c.touch.overlap);
+  const double impact = energy / passing_work(parts, c.id, law, c.touch.reduced_radius);
+  if (!(impact > sum.impact)) return;
+  sum.impact = impact;
+  sum.hardest = c.id;
+}
 
 void ContactExtremes::join(const ContactExtremes& other) {
   contacts += other.contacts;
@@ -93,59 +105,6 @@ double least_passing_speed(const Parts& parts) {
                        2 * elastic_energy(softest, parts.node.contact_radius[n], narrow(p) / 2) / parts.node.mass[n]);
   }
   return std::sqrt(least);
-}
-
-void System::survey_block(const TouchBlock& c, int chunk) {
-  ContactExtremes& seen = chunk_seen_[chunk];
-  const bool many = c.kind == disc_disc || c.kind == disc_wall;
-  const BlockExtremes block = many ? extremes(c) : few_extremes(parts_, c);
-  seen.contacts += block.contacts;
-  if (block.overlap > seen.overlap) {
-    seen.overlap = block.overlap;
-    if (block.overlap > survey_.known_overlap) find_deepest(parts_, c, seen);
-  }
-  if (block.approach > survey_.fast) find_hardest(parts_, c, seen);
-  if (c.kind == disc_wall) {
-    if (block.overlap > 1) {
-      for (int k = 0; k < c.count; ++k) seen.behind_walls += c.overlap[k] > c.radius_a[k] ? 1 : 0;
-    }
-  } else if (!many) {
-    survey_few(c);
-  }
-}
-
-// What presses on plates, and who is about to pass through something.
-void System::survey_few(const TouchBlock& c) {
-  const bool plates = c.kind == disc_plate || c.kind == node_plate;
-  for (int k = 0; k < c.count; ++k) {
-    if (plates) {
-      survey_.plate_fx[c.b[k]] -= c.force_x(k);
-      survey_.plate_fy[c.b[k]] -= c.force_y(k);
-    }
-    const bool near = plates ? c.overlap[k] > c.radius_a[k] : near_border(c, k);
-    if (near) survey_.near.push_back({id_of(c, k), plates ? -1 : c.segment[k]});
-  }
-}
-
-// Between two auxiliary points a centre passes at some distance from either.
-bool System::near_border(const TouchBlock& c, int k) const {
-  if (c.kind != disc_lattice) return false;
-  const double spacing = parts_.node.spacing[parts_.border.a[c.segment[k]]];
-  const int auxiliary = parts_.lattice[c.b[k]].auxiliary_points;
-  const double between = auxiliary > 0 ? spacing / (auxiliary + 1) : 0;
-  return c.radius_a[k] - c.overlap[k] < survey_.reach + between;
-}
-
-void System::begin_survey() {
-  std::fill(chunk_seen_.begin(), chunk_seen_.end(), ContactExtremes{});
-  survey_.near.clear();
-  survey_.plate_fx.assign(parts_.plate.size(), 0.0);
-  survey_.plate_fy.assign(parts_.plate.size(), 0.0);
-}
-
-void System::finish_survey() {
-  survey_.seen = {};
-  for (const ContactExtremes& seen : chunk_seen_) survey_.seen.join(seen);
 }
 
 }  // namespace furrow

@@ -4,14 +4,10 @@
 
 #include <vector>
 
-#include "system/touches.h"
+#include "scene/scene.h"
+#include "system/contact.h"
 
 namespace furrow {
-
-struct ContactId {
-  ContactKind kind = disc_disc;
-  int a = -1, b = -1;  // disc or node; disc, wall, plate or lattice; -1: none
-};
 
 // Of the contacts of one chunk, or of all.
 struct ContactExtremes {
@@ -37,6 +33,11 @@ struct Survey {
   };
   std::vector<Near> near{};                    // centres inside a plate, or closer to a border than `reach`
   std::vector<double> plate_fx{}, plate_fy{};  // N, on each plate
+
+  // At each jump: forgets the last one, then sees contact after contact, and counts them in `sum`.
+  void begin(const Parts& parts);
+  void see(const Parts& parts, const Contact& contact, ContactExtremes& sum);
+  void see_impact(const Parts& parts, const Contact& contact, ContactExtremes& sum) const;
 };
 
 // J: what carries disc or node `a` through `b`, or infinity: the work of the elastic force up to where the centres of

@@ -8,8 +8,9 @@
 #include <new>
 #include <string>
 
+#include "kernel/kernel.h"
 #include "methods/method.h"
-#include "system/events.h"
+#include "run/events.h"
 #include "tests/unit/scenes.h"
 
 namespace {
@@ -60,9 +61,9 @@ Memory of_steps(const Scene& scene, const std::string& name) {
     }
   };
   go();
-  const long before = taken, rebuilds = system.search().rebuilds;
+  const long before = taken, rebuilds = furrow::kernel_of(system.solver()).search().rebuilds;
   go();
-  return {taken - before, system.search().rebuilds - rebuilds};
+  return {taken - before, furrow::kernel_of(system.solver()).search().rebuilds - rebuilds};
 }
 
 class Steps : public testing::TestWithParam<const char*> {};

@@ -39,7 +39,7 @@ class Signals : public Program {
 TEST_F(Signals, EachOfThemEndsARunWellAndIsNamed) {
   for (const auto& [number, name] :
        {std::pair{SIGINT, std::string("SIGINT")}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}) {
-    Process run(directory_, started("run " + scene("scenario_1") + " --until 1000 --out " + name));
+    Process run(directory_, started("run " + scene("scenario_1") + " --until 50000 --out " + name));
     const fs::path force = directory_ / name / "plate_force.csv.partial";
     ASSERT_TRUE(comes_true([&] { return lines_of(force) > 3; }));
     run.send(number);

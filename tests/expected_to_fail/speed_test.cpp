@@ -31,9 +31,10 @@ double mean_distance(const Scene& scene) {
   const System system(scene);
   const State y = system.initial_state();
   double sum = 0, count = 0;
-  system.for_each_touch(0, y, [&](const TouchBlock& c) {
-    for (int k = 0; k < c.count && c.kind == disc_disc; ++k, ++count)
-      sum += std::abs(system.x_of(c.a[k]) - system.x_of(c.b[k]));
+  system.for_each_contact(0, y, [&](const Contact& c) {
+    if (c.id.kind != disc_disc) return;
+    sum += std::abs(system.x_of(c.id.a) - system.x_of(c.id.b));
+    ++count;
   });
   if (count == 0) throw std::runtime_error("nothing touches");
   return sum / count;

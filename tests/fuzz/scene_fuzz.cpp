@@ -10,9 +10,9 @@
 
 #include "methods/method.h"
 #include "scene/read.h"
-#include "system/observe.h"
-#include "system/prepare.h"
-#include "system/run.h"
+#include "run/observe.h"
+#include "run/prepare.h"
+#include "run/run.h"
 
 namespace furrow {
 namespace {

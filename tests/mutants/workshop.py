@@ -138,7 +138,7 @@ class Workshop:
         headers = sorted(file.relative_to(self.base.tree / "src") for file in (self.base.tree / "src").rglob("*.h"))
         source = self.home / "inlined.cpp"
         source.write_text("".join(f'#include "{h}"\n' for h in headers if "program" not in h.parts and "odeint" not in h.name))
-        words, _ = self.base.compiling["src/system/system.cpp"]
+        words, _ = self.base.compiling["src/run/system.cpp"]
         words = list(words)
         words[words.index("-o") + 1] = self.home / "objects/inlined.o"
         words[words.index("-c") + 1] = source

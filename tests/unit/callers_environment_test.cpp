@@ -11,9 +11,9 @@
 #include <map>
 
 #include "output/run_files.h"
+#include "run/prepare.h"
+#include "run/run.h"
 #include "scenes.h"
-#include "system/prepare.h"
-#include "system/run.h"
 
 namespace furrow {
 namespace {

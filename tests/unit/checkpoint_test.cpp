@@ -2,6 +2,7 @@
 #include "output/checkpoint.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -59,7 +60,8 @@ class CheckpointFile : public testing::Test {
     }
   }
 
-  static inline const fs::path directory = fs::path(testing::TempDir()) / "furrow_checkpoint_test";
+  static inline const fs::path directory =
+      fs::path(testing::TempDir()) / ("furrow_checkpoint_" + std::to_string(getpid()));
   static inline const fs::path file = directory / "checkpoint";
   Things things;
 };

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "run/events.h"
 #include "scenes.h"
-#include "system/events.h"
 
 namespace furrow::test {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/observe.h"
 #include "scenes.h"
-#include "system/observe.h"
 
 namespace furrow {
 namespace {

@@ -1,5 +1,5 @@
 // Nearest points: hand-made cases, and brute force over points on the boundary.
-#include "system/geometry.h"
+#include "physics/geometry.h"
 
 #include <gtest/gtest.h>
 

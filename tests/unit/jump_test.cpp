@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "kernel/kernel.h"
 #include "scenes.h"
 
 namespace furrow {
@@ -31,7 +32,7 @@ struct DiscOnFloor {
     return system.jump(t, y);
   }
   int slot() const {
-    const Candidates& list = system.search().candidates[disc_wall];
+    const Candidates& list = kernel_of(system.solver()).search().candidates[disc_wall];
     return list.count() == 0 ? -1 : list.slot[0];
   }
   double& spring() { return y[system.first_spring() + slot()]; }
@@ -169,7 +170,7 @@ TEST(TangentialSpring, NoTwoContactsShareASlotAndAnUnusedOneIsZero) {
   const RunEnd end = run(system, *method, y, plan, [&](double, const State& now, const JumpReport&) {
     std::set<int> used;
     std::size_t holders = 0;
-    for (const Candidates& list : system.search().candidates) {
+    for (const Candidates& list : kernel_of(system.solver()).search().candidates) {
       for (const int slot : list.slot) {
         if (slot < 0) continue;
         ++holders;
@@ -204,7 +205,7 @@ TEST(TangentialSpring, MoreContactsThanAPlaneHoldsHaveOneEach) {
   EXPECT_EQ(y.size(), system.size());
   EXPECT_GT(report.grown.count, 0u);
   EXPECT_EQ(report.rates->size(), system.size());
-  const std::vector<int>& slot = system.search().candidates[disc_disc].slot;
+  const std::vector<int>& slot = kernel_of(system.solver()).search().candidates[disc_disc].slot;
   EXPECT_EQ(std::set<int>(slot.begin(), slot.end()).size(), 780u);
   EXPECT_GE(*std::min_element(slot.begin(), slot.end()), 0);
 }

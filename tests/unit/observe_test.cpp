@@ -1,5 +1,5 @@
 // What is read off a state, against numbers worked out by hand for small scenes.
-#include "system/observe.h"
+#include "run/observe.h"
 
 #include <gtest/gtest.h>
 

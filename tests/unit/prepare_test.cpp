@@ -1,12 +1,12 @@
 // From a scene as written to t = 0: packings placed, discs settled, plates at their depth.
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "run/observe.h"
 #include "scenes.h"
-#include "system/observe.h"
 
 namespace furrow {
 namespace {

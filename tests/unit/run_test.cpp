@@ -1,5 +1,5 @@
 // The loop around a method: when it steps, when it stops, and what is left when it fails.
-#include "system/run.h"
+#include "run/run.h"
 
 #include <gtest/gtest.h>
 

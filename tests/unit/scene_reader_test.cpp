@@ -47,7 +47,7 @@ TEST(SceneReader, TakesAnyFieldOfAnEnumAndOfAPair) {
 disc_mass = "sphere"
 lever = "radius"
 [search]
-mode = "brute_force"
+threads = 2
 [[contact.pair]]
 materials = ["soft", "soft"]
 friction = 0
@@ -55,7 +55,7 @@ friction = 0
                                   "f");
   EXPECT_EQ(scene.model.disc_mass, DiscMass::sphere);
   EXPECT_EQ(scene.model.lever, Lever::radius);
-  EXPECT_EQ(scene.search.mode, SearchMode::brute_force);
+  EXPECT_EQ(scene.search.threads, 2);
   EXPECT_EQ(scene.contact.pair.at(0).friction, 0.0);
   EXPECT_EQ(scene.contact.pair.at(0).rolling_friction, std::nullopt);
 }
@@ -136,10 +136,10 @@ TEST(SceneReader, PlacesAMissingKeyAtTheHeaderOfItsTable) {
 }
 
 TEST(SceneReader, ListsTheWordsOfAnEnum) {
-  EXPECT_EQ(errors_after("[search]\nmode = \"cell\""),
-            Lines{"14:8: search.mode: must be one of cells, brute_force, not \"cell\"; did you mean \"cells\"?"});
-  EXPECT_EQ(errors_after("[search]\nmode = 1"),
-            Lines{"14:8: search.mode: must be one of cells, brute_force, not an integer"});
+  EXPECT_EQ(errors_after("[model]\nlever = \"overlop\""),
+            Lines{"14:9: model.lever: must be one of overlap, radius, not \"overlop\"; did you mean \"overlap\"?"});
+  EXPECT_EQ(errors_after("[model]\nlever = 1"),
+            Lines{"14:9: model.lever: must be one of overlap, radius, not an integer"});
 }
 
 TEST(SceneReader, SaysWhetherATableIsOneOrOneOfAList) {
@@ -182,16 +182,16 @@ TEST(SceneReader, TakesLettersOfAnyTongueInStringsAndComments) {
 TEST(SceneReader, CountsLettersNotBytesInItsPlaces) {
   EXPECT_EQ(errors_after("\"\xC3\xBC\" = 1"), Lines{"13:1: disc[0].?: unknown key; known: position, radius, velocity, "
                                                     "spin, material"});
-  EXPECT_EQ(errors_after("[model]\ndisc_mass = \"\xC3\xBC\xC3\xBC\" # \xC3\xBC\n[search]\nmode = \"\xC3\xBC\""),
+  EXPECT_EQ(errors_after("[model]\ndisc_mass = \"\xC3\xBC\xC3\xBC\" # \xC3\xBC\n[search]\nskin = \"\xC3\xBC\""),
             (Lines{"14:13: model.disc_mass: must be one of disc, sphere, not \"\xC3\xBC\xC3\xBC\"",
-                   "16:8: search.mode: must be one of cells, brute_force, not \"\xC3\xBC\""}));
+                   "16:8: search.skin: must be a number [m], not a string"}));
   EXPECT_EQ(
       errors_with("title = \"a disc falls\"\n[time]\nend = 1.0",
                   "title = '\xC3\xBC\xC3\xBC'\ntime = { step = 1e-4, title = '\xE2\x82\xAC', end = true }\n[search]"),
       (Lines{"2:23: time.title: unknown key; known: end, step, method, relative_tolerance, absolute_tolerance, "
-             "max_step, locate",
+             "max_step, locate, solver",
              "2:42: time.end: must be a number [s], not a boolean",
-             "4:1: search.step: unknown key; known: mode, skin, cell_size, threads"}));
+             "4:1: search.step: unknown key; known: skin, cell_size, threads"}));
 }
 
 TEST(SceneReader, RefusesBytesThatAreNotUtf8WithTheirPlace) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "methods/method.h"
+#include "run/run.h"
+#include "run/system.h"
 #include "scene/scene.h"
-#include "system/run.h"
-#include "system/system.h"
 
 namespace furrow::test {
 

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "kernel/search.h"
 #include "scenes.h"
 
 namespace furrow {

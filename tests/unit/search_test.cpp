@@ -1,11 +1,12 @@
 // Neighbour lists: complete, of linear size, and without influence on a result.
-#include "system/search.h"
+#include "kernel/search.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <set>
 
+#include "kernel/kernel.h"
 #include "scenes.h"
 
 namespace furrow {
@@ -165,23 +166,16 @@ TEST(NeighbourSearch, RefusesPositionsThatAreNotFinite) {
   }
 }
 
-TEST(NeighbourSearch, RefusesPositionsThatAreNotFiniteAlsoByBruteForce) {
-  Scene scene = empty_scene();
-  scene.disc = {disc({0, 0}, 0.1), disc({1, 0}, 0.1), disc({2, 0}, 0.1)};
-  Search all;
-  all.mode = SearchMode::brute_force;
-  expect_refused(make_parts(scene), all, {0, 1, 2}, {0, 0, 0}, 1, std::numeric_limits<double>::quiet_NaN());
-}
-
 struct Trace {
   std::vector<std::uint64_t> hash;
   long rebuilds = 0, contacts = 0;
   std::size_t torn = 0;
 };
 
-Trace trace(const Search& search) {
+Trace trace(const Search& search, SolverKind solver = SolverKind::kernel) {
   Scene scene = busy_scene();
   scene.search = search;
+  scene.time.solver = solver;
   System system(scene);
   State y = system.initial_state();
   const auto method = make_method("pece");
@@ -194,19 +188,16 @@ Trace trace(const Search& search) {
     seen.torn += jump.torn.size();
     if (step++ % 10 != 0) return true;
     seen.hash.push_back(system.state_hash(now));
-    system.for_each_touch(t, now, [&](const TouchBlock& c) { seen.contacts += c.count; });
+    system.for_each_contact(t, now, [&](const Contact& /*contact*/) { ++seen.contacts; });
     return true;
   });
   EXPECT_EQ(end.ending, Ending::finished) << end.reason;
-  seen.rebuilds = system.search().rebuilds;
+  if (solver == SolverKind::kernel) seen.rebuilds = kernel_of(system.solver()).search().rebuilds;
   return seen;
 }
 
 TEST(NeighbourSearch, NeverChangesABitOfTheResult) {
-  Search all;
-  all.mode = SearchMode::brute_force;
-  const Trace want = trace(all);
-  EXPECT_EQ(want.rebuilds, 1);
+  const Trace want = trace({}, SolverKind::reference);
   EXPECT_GT(want.contacts, 500);  // the scene is worth it
   EXPECT_GT(want.torn, 0u);
   for (const double skin : {0.0, 2e-4, 5e-3, 0.05}) {

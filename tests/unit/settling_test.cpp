@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "run/observe.h"
+#include "run/prepare.h"
 #include "scenes.h"
-#include "system/observe.h"
-#include "system/prepare.h"
 
 namespace furrow {
 namespace {

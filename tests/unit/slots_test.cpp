@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "resumed.h"
+#include "run/observe.h"
+#include "run/prepare.h"
 #include "scene/read.h"
-#include "system/observe.h"
-#include "system/prepare.h"
 
 namespace furrow {
 namespace {

@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "run/stiffness.h"
 #include "scenes.h"
-#include "system/stiffness.h"
 
 namespace furrow {
 namespace {

@@ -1,5 +1,5 @@
 // A scene made ready: what its state holds, its loads, and that the right-hand side leaves no trace.
-#include "system/system.h"
+#include "run/system.h"
 
 #include <gtest/gtest.h>
 
@@ -112,7 +112,7 @@ TEST(FixedNodes, HaveNoPlaceInTheStateAndDoNotMove) {
   State y = system.initial_state();
   const auto method = make_method("rk4");
   for (int k = 0; k < 100; ++k) method->step(system, k * 0.01, y, 0.01);
-  const System::Nodes nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(y);
   EXPECT_EQ(nodes.x[0], 0);
   EXPECT_EQ(nodes.y[0], 0);
   EXPECT_EQ(nodes.vx[0], 0);

@@ -1,13 +1,13 @@
 // The watch over a run: what it sees, when it warns, and when it ends the run.
-#include "system/validity.h"
+#include "run/validity.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "run/stiffness.h"
 #include "scenes.h"
-#include "system/stiffness.h"
 
 namespace furrow {
 namespace {

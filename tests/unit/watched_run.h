@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "run/validity.h"
 #include "scenes.h"
-#include "system/validity.h"
 
 namespace furrow::test {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "run/prepare.h"
 #include "scenes.h"
-#include "system/prepare.h"
 
 namespace furrow::test {
 

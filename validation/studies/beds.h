@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "studies/study.h"
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 namespace furrow::studies {
 

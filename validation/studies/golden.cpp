@@ -13,8 +13,8 @@
 #include "studies/beds.h"
 #include "studies/golden_compare.h"
 #include "studies/study.h"
-#include "system/observe.h"
-#include "system/run.h"
+#include "run/observe.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {

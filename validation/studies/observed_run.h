@@ -2,7 +2,7 @@
 #pragma once
 
 #include "page/observables.h"
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 namespace furrow::studies {
 

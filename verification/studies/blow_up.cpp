@@ -6,7 +6,7 @@
 #include "methods/method.h"
 #include "studies/amplification.h"
 #include "studies/growth.h"
-#include "system/run.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "system/observe.h"
+#include "run/observe.h"
 
 namespace furrow::studies {
 namespace {
@@ -22,9 +22,8 @@ constexpr double width_of_springs = 1e-9;     // m
 
 std::vector<int> slots_in_use(const System& system, double t, const State& y) {
   std::vector<int> used;
-  system.for_each_touch(t, y, [&](const TouchBlock& c) {
-    for (int k = 0; k < c.count; ++k)
-      if (c.slot[k] >= 0) used.push_back(system.first_spring() + c.slot[k]);
+  system.for_each_contact(t, y, [&](const Contact& c) {
+    if (c.slot >= 0) used.push_back(system.first_spring() + c.slot);
   });
   std::sort(used.begin(), used.end());
   return used;
@@ -152,30 +151,30 @@ struct Powers {
   }
 };
 
-Powers powers_of(const System& system, const TouchBlock& c, int k, const Motion& motion, double rate) {
+Powers powers_of(const System& system, const Contact& c, const Motion& motion, double rate) {
   const Parts& parts = system.parts();
-  auto v = of_disc(c.kind) ? motion.body(c.a[k]) : motion.node(c.a[k]);
-  std::complex<double> spin_a = of_disc(c.kind) ? motion.spin(c.a[k]) : 0;
+  auto v = of_disc(c.id.kind) ? motion.body(c.id.a) : motion.node(c.id.a);
+  std::complex<double> spin_a = of_disc(c.id.kind) ? motion.spin(c.id.a) : 0;
   std::complex<double> spin_b = 0;
-  if (c.kind == disc_disc) {
-    const auto other = motion.body(c.b[k]);
+  if (c.id.kind == disc_disc) {
+    const auto other = motion.body(c.id.b);
     for (int i = 0; i < 2; ++i) v[i] -= other[i];
-    spin_b = motion.spin(c.b[k]);
-  } else if (c.kind == disc_lattice) {
-    const auto i = motion.node(parts.border.a[c.segment[k]]);
-    const auto j = motion.node(parts.border.b[c.segment[k]]);
-    for (int x = 0; x < 2; ++x) v[x] -= (1 - c.share[k]) * i[x] + c.share[k] * j[x];
+    spin_b = motion.spin(c.id.b);
+  } else if (c.id.kind == disc_lattice) {
+    const auto i = motion.node(parts.border.a[c.segment]);
+    const auto j = motion.node(parts.border.b[c.segment]);
+    for (int x = 0; x < 2; ++x) v[x] -= (1 - c.share) * i[x] + c.share * j[x];
   }
-  const double approach = std::norm(v[0] * c.nx[k] + v[1] * c.ny[k]);
-  const double slip = std::norm(v[1] * c.nx[k] - v[0] * c.ny[k] + spin_a * c.arm_a[k] + spin_b * c.arm_b[k]);
-  const ContactLaw& law = parts.law[c.law[k]];
-  const double viscosity = law.viscosity * std::sqrt(c.stiffness[k] * c.reduced_mass[k]);
-  const double held = -c.shear_stiffness[k] * c.spring[k] - c.shear_viscosity[k] * c.slip[k];
+  const double approach = std::norm(v[0] * c.nx + v[1] * c.ny);
+  const double slip = std::norm(v[1] * c.nx - v[0] * c.ny + spin_a * c.arm_a + spin_b * c.arm_b);
+  const ContactLaw& law = parts.law[c.law];
+  const double viscosity = law.viscosity * std::sqrt(c.force.stiffness * c.touch.reduced_mass);
+  const double held = -c.force.shear_stiffness * c.touch.spring - c.force.shear_viscosity * c.touch.slip;
   Powers p;
-  if (c.normal[k] > 0 || c.overlap[k] > 0) p.normal = (viscosity + c.stiffness[k] / rate) * approach;
-  if (law.friction > 0 && held == c.tangential[k])
-    p.shear = (c.shear_viscosity[k] + c.shear_stiffness[k] / rate) * slip;
-  p.rolling = law.rolling * c.reduced_radius[k] * std::max(c.normal[k], 0.0) / system.rolling_smoothing() *
+  if (c.force.normal > 0 || c.touch.overlap > 0) p.normal = (viscosity + c.force.stiffness / rate) * approach;
+  if (law.friction > 0 && held == c.force.tangential)
+    p.shear = (c.force.shear_viscosity + c.force.shear_stiffness / rate) * slip;
+  p.rolling = law.rolling * c.touch.reduced_radius * std::max(c.force.normal, 0.0) / system.rolling_smoothing() *
               std::norm(spin_a - spin_b);
   return p;
 }
@@ -199,13 +198,11 @@ Driver driver_of(const System& system, double t, const State& y, const Linearise
     driver.name = name();
     driver.how = how;
   };
-  system.for_each_touch(t, y, [&](const TouchBlock& c) {
-    for (int k = 0; k < c.count; ++k) {
-      const Powers p = powers_of(system, c, k, moves, rate);
-      take(p.sum(), p.how(), [&] { return "contact of " + touch_name(system, c, k); });
-    }
+  system.for_each_contact(t, y, [&](const Contact& c) {
+    const Powers p = powers_of(system, c, moves, rate);
+    take(p.sum(), p.how(), [&] { return "contact of " + contact_name(system.parts(), c.id); });
   });
-  const System::Nodes nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(y);
   for (int k = 0; k < parts.link.count(); ++k) {
     if (system.torn(k)) continue;
     const int a = parts.link.a[k];

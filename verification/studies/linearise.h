@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "system/system.h"
+#include "run/system.h"
 
 namespace furrow::studies {
 

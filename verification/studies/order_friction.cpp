@@ -16,7 +16,7 @@
 #include "studies/order_hertz.h"
 #include "studies/order_problems.h"
 #include "studies/order_reference.h"
-#include "system/system.h"
+#include "run/system.h"
 
 namespace furrow::studies {
 namespace {

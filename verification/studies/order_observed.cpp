@@ -5,7 +5,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "system/run.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/ode.h"
+#include "system/ode.h"
 #include "scene/scene.h"
 
 namespace furrow::studies {

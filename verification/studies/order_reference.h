@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "methods/ode.h"
+#include "system/ode.h"
 
 namespace furrow::studies {
 

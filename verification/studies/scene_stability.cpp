@@ -7,9 +7,9 @@
 
 #include "studies/amplification.h"
 #include "studies/growth.h"
-#include "system/observe.h"
-#include "system/prepare.h"
-#include "system/run.h"
+#include "run/observe.h"
+#include "run/prepare.h"
+#include "run/run.h"
 
 namespace furrow::studies {
 namespace {

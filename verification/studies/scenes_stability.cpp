@@ -9,7 +9,7 @@
 #include "scene/wording.h"
 #include "studies/amplification.h"
 #include "studies/cases.h"
-#include "system/stiffness.h"
+#include "run/stiffness.h"
 
 namespace furrow::studies {
 namespace {

@@ -19,7 +19,7 @@
 #include "page/embedded.h"
 #include "page/seal.h"
 #include "scene/read.h"
-#include "system/prepare.h"
+#include "run/prepare.h"
 
 namespace furrow::studies {
 namespace {

@@ -1,0 +1,140 @@
+// The flow: the rates of the state, summed up from contacts and links.
+#include <algorithm>
+
+#include "kernel/kernel.h"
+#include "physics/link.h"
+
+namespace furrow {
+
+void Kernel::flow(double t, const State& y, State& dydt) const {
+  add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
+}
+
+void Kernel::look_around(double t, const State& y) const {
+  move_nodes(*parts_, layout_, y, nodes_);
+  search_.update(*parts_, placement(t, y), threads_);
+  disc_row_.resize(static_cast<std::size_t>(parts_->disc.count()));
+  const double* at = y.data();
+  in_ranges(threads_, disc_row_.size(), [&](std::size_t first, std::size_t last) {
+    line_up(at, at + layout_.bodies, at + 2 * layout_.bodies, at + 3 * layout_.bodies, disc_row_.data(), first, last);
+  });
+}
+
+void Kernel::begin_rates(const State& y, State& dydt) const {
+  const auto speeds = static_cast<std::size_t>(2 * layout_.bodies);
+  const auto rest = static_cast<std::size_t>(layout_.first_spring);
+  copy_in_ranges(threads_, y.data() + speeds, speeds, dydt.data());
+  fill_in_ranges(threads_, dydt.data() + rest, dydt.size() - rest, 0.0);
+  disc_load_.resize(static_cast<std::size_t>(parts_->disc.count() + search_.spills));
+  std::fill(chunk_powers_.begin(), chunk_powers_.end(), ContactPowers{});
+  std::copy(parts_->node.load_x.begin(), parts_->node.load_x.end(), node_fx_.begin());
+  std::copy(parts_->node.load_y.begin(), parts_->node.load_y.end(), node_fy_.begin());
+}
+
+// Chunk by chunk, so that they are still in the cache when the pairs come.
+void Kernel::empty_loads(const Chunk& chunk) const {
+  DiscLoad* load = disc_load_.data();
+  std::fill(load + chunk.first_disc, load + chunk.last_disc, DiscLoad{});
+  DiscLoad* spill = load + parts_->disc.count();
+  std::fill(spill + chunk.first_spill, spill + chunk.last_spill, DiscLoad{});
+}
+
+void Kernel::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt) const {
+  if (c.kind == disc_disc) {
+    add_loads(c, search_.chunks.size() > 1 ? c.load_of_b.data() : c.b, disc_load_.data());
+  } else if (of_disc(c.kind)) {
+    for (int k = 0; k < c.count; ++k) {
+      DiscLoad& sum = disc_load_[c.a[k]];
+      sum.fx += c.fx[k];
+      sum.fy += c.fy[k];
+      sum.torque += c.torque_a[k];
+    }
+  } else {
+    for (int k = 0; k < c.count; ++k) {
+      node_fx_[c.a[k]] += c.fx[k];
+      node_fy_[c.a[k]] += c.fy[k];
+    }
+  }
+  if (c.kind == disc_lattice) {
+    for (int k = 0; k < c.count; ++k) {
+      const int i = parts_->border.a[c.segment[k]];
+      const int j = parts_->border.b[c.segment[k]];
+      node_fx_[i] -= (1 - c.share[k]) * c.fx[k];
+      node_fy_[i] -= (1 - c.share[k]) * c.fy[k];
+      node_fx_[j] -= c.share[k] * c.fx[k];
+      node_fy_[j] -= c.share[k] * c.fy[k];
+    }
+  }
+  if (parts_->friction) put_by_place(c, c.slip, dydt.data() + layout_.first_spring);
+  if (parts_->keeps_ledger) add_to_ledger(c, chunk, t, dydt.data() + layout_.ledger_of(0));
+}
+
+void Kernel::join_chunks() const {
+  const DiscLoad* spill = disc_load_.data() + parts_->disc.count();
+  in_parallel(threads_, static_cast<int>(search_.spilled.size()), [&](int chunk, int /*thread*/) {
+    for (const NeighbourSearch::Spill& s : search_.spilled[chunk]) {
+      disc_load_[s.disc].fx += spill[s.number].fx;
+      disc_load_[s.disc].fy += spill[s.number].fy;
+      disc_load_[s.disc].torque += spill[s.number].torque;
+    }
+  });
+  ContactPowers& all = chunk_powers_[0];
+  for (std::size_t k = 1; k < chunk_powers_.size(); ++k) all.add(chunk_powers_[k]);
+}
+
+void Kernel::finish_rates(State& dydt) const {
+  empty_spares(dydt);
+  double* ax = dydt.data() + 2 * layout_.bodies;
+  double* ay = dydt.data() + 3 * layout_.bodies;
+  if (parts_->keeps_ledger) {
+    double* work = dydt.data() + layout_.ledger_of(0);
+    work[contact_viscous] = chunk_powers_[0].viscous;
+    work[friction_work] = chunk_powers_[0].friction;
+    work[rolling_work] = chunk_powers_[0].rolling;
+    work[stiffening] = chunk_powers_[0].stiffening;
+  }
+  add_link_forces(parts_->keeps_ledger ? dydt.data() + layout_.ledger_of(0) : nullptr);
+  const DiscRates rates{ax,
+                        ay,
+                        parts_->friction ? dydt.data() + 4 * layout_.bodies : nullptr,
+                        inverse_mass_.data(),
+                        weight_.data(),
+                        inverse_inertia_.data()};
+  in_ranges(threads_, static_cast<std::size_t>(parts_->disc.count()),
+            [&](std::size_t first, std::size_t last) { accelerate(disc_load_.data(), rates, first, last); });
+  for (int n = 0; n < parts_->node.count(); ++n) {
+    const int body = parts_->node.body[n];
+    if (body < 0) continue;
+    ax[body] = node_fx_[n] * inverse_mass_[body];
+    ay[body] = node_fy_[n] * inverse_mass_[body] - weight_[body];
+  }
+}
+
+void Kernel::add_link_forces(double* work) const {
+  const LinkArrays& link = parts_->link;
+  double damping = 0;
+  for (const int k : intact_) {
+    const int a = link.a[k];
+    const int b = link.b[k];
+    const LinkForce f =
+        link_force(nodes_.x[a] - nodes_.x[b], nodes_.y[a] - nodes_.y[b], nodes_.vx[a] - nodes_.vx[b],
+                   nodes_.vy[a] - nodes_.vy[b], link.rest[k], link.stiffness[k], link.damping[k], link.axial[k] != 0);
+    node_fx_[a] += f.fx;
+    node_fy_[a] += f.fy;
+    node_fx_[b] -= f.fx;
+    node_fy_[b] -= f.fy;
+    damping += f.damping;
+  }
+  if (work) work[link_damping] = damping;
+}
+
+void Kernel::add_to_ledger(const TouchBlock& c, int chunk, double t, double* work) const {
+  add_powers(c, parts_->friction, chunk_powers_[chunk]);
+  if (c.kind != disc_plate && c.kind != node_plate) return;
+  for (int k = 0; k < c.count; ++k) {
+    const PlateAt at = plate_at(parts_->plate[c.b[k]], t, preparing_);
+    work[plate_work] += c.force_x(k) * at.vx + c.force_y(k) * at.vy;
+  }
+}
+
+}  // namespace furrow

@@ -1,0 +1,88 @@
+// Discs or nodes by size, each class in a grid with cells of its own: one large disc among many small ones then makes
+// no cell larger but its own.
+#pragma once
+
+#include "scene/grid.h"
+#include "system/parts.h"
+
+namespace furrow {
+
+class SizeClasses {
+ public:
+  SizeClasses() = default;
+  // `bodies`: those that can be asked for, ascending; radius: m, of all; empty: all 0.
+  SizeClasses(std::vector<int> bodies, const std::vector<double>& radius);
+
+  // Sorts anew; x, y: m. cell: m, of the smallest cells; 0: the reach, added to the diameters of a class.
+  void sort(const double* x, const double* y, double reach, double cell);
+
+  int count() const { return static_cast<int>(classes_.size()); }
+  int class_of(int body) const { return class_of_[body]; }
+  const std::vector<int>& bodies() const { return bodies_; }
+
+  // Each calls visit(body) for all of a class whose surface is closer than `reach` (m) to the thing named, and for
+  // others. They return the number of rows of cells looked into.
+  template <class Visit>
+  long near_disc(int of, double x, double y, double reach, Visit&& visit) const {
+    const double within = classes_[of].greatest + reach;
+    return classes_[of].grid.in_box({x - within, x + within}, {y - within, y + within}, visit);
+  }
+  // For all classes:
+  template <class Visit>
+  long near_box(Extent x, Extent y, double reach, Visit&& visit) const;
+  template <class Visit>
+  long near_wall(const WallPart& wall, double reach, Visit&& visit) const;
+  template <class Visit>
+  long near_segment(double ax, double ay, double bx, double by, double reach, Visit&& visit) const;
+
+ private:
+  struct Class {
+    double greatest;  // m, radius
+    std::vector<int> bodies;
+    Grid grid;
+  };
+  void split(const std::vector<int>& by_size, const std::vector<double>& radius);
+
+  std::vector<int> bodies_, class_of_;
+  std::vector<Class> classes_;  // from the small to the large
+};
+
+// Where along x points lie that are behind the wall or closer to it than `within`, at these y.
+Extent along_wall(const WallPart& wall, double within, Extent y);
+
+// Where along x points lie that are closer than `within` to the segment, at these y.
+Extent along_segment(double ax, double ay, double bx, double by, double within, Extent y);
+
+template <class Visit>
+long SizeClasses::near_box(Extent x, Extent y, double reach, Visit&& visit) const {
+  long rows = 0;
+  for (const Class& c : classes_) {
+    const double within = c.greatest + reach;
+    rows += c.grid.in_box({x.from - within, x.to + within}, {y.from - within, y.to + within}, visit);
+  }
+  return rows;
+}
+
+template <class Visit>
+long SizeClasses::near_wall(const WallPart& wall, double reach, Visit&& visit) const {
+  long rows = 0;
+  for (const Class& c : classes_) {
+    rows += c.grid.in_rows(
+        {-infinity, infinity}, [&](Extent y) { return along_wall(wall, c.greatest + reach, y); }, visit);
+  }
+  return rows;
+}
+
+template <class Visit>
+long SizeClasses::near_segment(double ax, double ay, double bx, double by, double reach, Visit&& visit) const {
+  long rows = 0;
+  for (const Class& c : classes_) {
+    const double within = c.greatest + reach;
+    rows += c.grid.in_rows(
+        {std::min(ay, by) - within, std::max(ay, by) + within},
+        [&](Extent y) { return along_segment(ax, ay, bx, by, within, y); }, visit);
+  }
+  return rows;
+}
+
+}  // namespace furrow

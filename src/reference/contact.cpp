@@ -1,0 +1,211 @@
+// One contact: where two parts touch, how they move there, and what the law answers.
+#include <cmath>
+
+#include "physics/geometry.h"
+#include "reference/reference.h"
+#include "system/surface.h"
+
+namespace furrow::reference {
+
+Body disc_of(const Moment& now, int disc) {
+  const Layout& at = now.layout;
+  const double spin = now.parts.friction ? now.y[at.spin_of(disc)] : 0;
+  return {now.y[at.x_of(disc)], now.y[at.y_of(disc)], now.y[at.vx_of(disc)], now.y[at.vy_of(disc)], spin};
+}
+
+Body node_of(const Moment& now, int node) {
+  const Layout& at = now.layout;
+  const int body = now.parts.node.body[node];
+  if (body < 0) return {now.parts.node.x[node], now.parts.node.y[node], 0, 0, 0};  // fixed
+  return {now.y[at.x_of(body)], now.y[at.y_of(body)], now.y[at.vx_of(body)], now.y[at.vy_of(body)], 0};
+}
+
+namespace {
+
+Body body_a(const Moment& now, const ContactId& pair) {
+  return of_disc(pair.kind) ? disc_of(now, pair.a) : node_of(now, pair.a);
+}
+
+// ---- geometry ----
+
+Approach between_discs(const Moment& now, const ContactId& pair) {
+  const Body a = disc_of(now, pair.a);
+  const Body b = disc_of(now, pair.b);
+  const double within = now.parts.disc.radius[pair.a] + now.parts.disc.radius[pair.b];  // m, distance at touch
+  const double reach = within + now.parts.margin;
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double distance2 = dx * dx + dy * dy;
+  if (!(distance2 < reach * reach)) return {};
+  const double distance = std::sqrt(distance2);
+  Approach found;
+  found.near = true;
+  found.touching = distance2 < within * within;
+  found.overlap = within - distance;
+  found.nx = dx / distance;
+  found.ny = dy / distance;
+  return found;
+}
+
+// The surface of b is `distance` from the point of a; a disc reaches it by its radius, a node by nothing.
+Approach at_surface(const Moment& now, const ContactId& pair, double distance, double nx, double ny) {
+  const double gap = distance - (of_disc(pair.kind) ? now.parts.disc.radius[pair.a] : 0);
+  Approach found;
+  found.near = gap < now.parts.margin;
+  found.touching = gap < 0;
+  found.overlap = -gap;
+  found.nx = nx;
+  found.ny = ny;
+  return found;
+}
+
+Approach to_wall(const Moment& now, const ContactId& pair) {
+  const Body a = body_a(now, pair);
+  const WallPart& w = now.parts.wall[pair.b];
+  const Nearest n = nearest_on_wall(a.x, a.y, w.px, w.py, w.nx, w.ny);
+  return at_surface(now, pair, n.distance, n.nx, n.ny);
+}
+
+Approach to_plate(const Moment& now, const ContactId& pair) {
+  const Body a = body_a(now, pair);
+  const PlatePart& p = now.parts.plate[pair.b];
+  const PlateAt at = plate_at(p, now.t, now.discrete.preparing);
+  const Nearest n = nearest_on_rectangle(a.x, a.y, at.left, at.left + p.width, at.lower, at.lower + p.height);
+  return at_surface(now, pair, n.distance, n.nx, n.ny);
+}
+
+// The nearest point of the border; of two equally near the one on the first segment.
+Approach to_lattice(const Moment& now, const ContactId& pair) {
+  const BorderArrays& border = now.parts.border;
+  const Body a = disc_of(now, pair.a);
+  const int auxiliary = now.parts.lattice[pair.b].auxiliary_points;
+  NearestOnSegment nearest{infinity, 0, 0, 0};
+  int segment = -1;
+  for (int s = 0; s < border.count(); ++s) {
+    if (border.lattice[s] != pair.b) continue;
+    const Body i = node_of(now, border.a[s]);
+    const Body j = node_of(now, border.b[s]);
+    const bool torn = border.link[s] >= 0 && is_torn(now.discrete, border.link[s]);
+    const NearestOnSegment n = nearest_on_segment(a.x, a.y, i.x, i.y, j.x, j.y, auxiliary, torn);
+    if (!(n.distance2 < nearest.distance2)) continue;
+    nearest = n;
+    segment = s;
+  }
+  const double distance = std::sqrt(nearest.distance2);
+  Approach found = at_surface(now, pair, distance, nearest.dx / distance, nearest.dy / distance);
+  found.segment = segment;
+  found.share = nearest.share;
+  return found;
+}
+
+// ---- what is reduced: see the table in system/contact.h ----
+
+double radius_of(const Parts& parts, const ContactId& pair) {
+  const double a = of_disc(pair.kind) ? parts.disc.radius[pair.a] : parts.node.contact_radius[pair.a];
+  if (pair.kind != disc_disc) return a;
+  const double b = parts.disc.radius[pair.b];
+  return a * b / (a + b);
+}
+
+// 1/kg, of a node that takes this share of the force.
+double yielding(const Parts& parts, int node, double share) {
+  return parts.node.body[node] < 0 ? 0 : share * share / parts.node.mass[node];
+}
+
+double mass_of(const Parts& parts, const ContactId& pair, const Approach& near) {
+  const double a = of_disc(pair.kind) ? parts.disc.mass[pair.a] : parts.node.mass[pair.a];
+  if (pair.kind == disc_disc) {
+    const double b = parts.disc.mass[pair.b];
+    return a * b / (a + b);
+  }
+  if (pair.kind != disc_lattice) return a;
+  const double i = yielding(parts, parts.border.a[near.segment], 1 - near.share);
+  const double j = yielding(parts, parts.border.b[near.segment], near.share);
+  return 1 / (1 / a + i + j);
+}
+
+int law_of(const Parts& parts, const ContactId& pair) {
+  const int a = of_disc(pair.kind) ? parts.disc.material[pair.a] : parts.node.material[pair.a];
+  const int b = pair.kind == disc_disc      ? parts.disc.material[pair.b]
+                : pair.kind == disc_lattice ? parts.lattice[pair.b].material
+                : of_wall(pair.kind)        ? parts.wall[pair.b].material
+                                            : parts.plate[pair.b].material;
+  return parts.law_of(a, b);
+}
+
+// ---- kinematics ----
+
+// How the surface of b moves where it is touched, without its spin.
+Body surface_b(const Moment& now, const ContactId& pair, const Approach& near) {
+  if (pair.kind == disc_disc) return disc_of(now, pair.b);
+  if (of_plate(pair.kind)) {
+    const PlateAt at = plate_at(now.parts.plate[pair.b], now.t, now.discrete.preparing);
+    return {0, 0, at.vx, at.vy, 0};
+  }
+  if (of_wall(pair.kind)) return {};
+  const Body i = node_of(now, now.parts.border.a[near.segment]);
+  const Body j = node_of(now, now.parts.border.b[near.segment]);
+  return {0, 0, (1 - near.share) * i.vx + near.share * j.vx, (1 - near.share) * i.vy + near.share * j.vy, 0};
+}
+
+// m: to the contact point. Two discs share the overlap, so that their arms add up to the distance of the centres.
+double moment_arm(const Moment& now, const ContactId& pair, int disc, double overlap) {
+  const double share = pair.kind == disc_disc ? 0.5 * now.parts.moment_arm : now.parts.moment_arm;
+  return now.parts.disc.radius[disc] - share * overlap;
+}
+
+}  // namespace
+
+Approach approach(const Moment& now, const ContactId& pair) {
+  switch (pair.kind) {
+    case disc_disc:
+      return between_discs(now, pair);
+    case disc_wall:
+    case node_wall:
+      return to_wall(now, pair);
+    case disc_plate:
+    case node_plate:
+      return to_plate(now, pair);
+    case disc_lattice:
+      break;
+  }
+  return to_lattice(now, pair);
+}
+
+Contact contact_of(const Moment& now, const ContactId& pair, const Approach& near) {
+  const Parts& parts = now.parts;
+  Contact c;
+  c.id = pair;
+  c.law = law_of(parts, pair);
+  c.slot = slot_of(now.discrete, pair);
+  c.segment = near.segment;
+  c.share = near.share;
+  c.nx = near.nx;
+  c.ny = near.ny;
+
+  const Body a = body_a(now, pair);
+  const Body b = surface_b(now, pair, near);
+  c.vx = -(b.vx - a.vx);  // of a against b; so written for the sign of a zero
+  c.vy = -(b.vy - a.vy);
+  c.spin_a = a.spin;
+  c.spin_b = b.spin;
+  c.arm_a = of_disc(pair.kind) ? moment_arm(now, pair, pair.a, near.overlap) : 0;
+  c.arm_b = pair.kind == disc_disc ? moment_arm(now, pair, pair.b, near.overlap) : 0;
+
+  c.touch.overlap = near.overlap;                                                        // m, d
+  c.touch.approach = c.vx * c.nx + c.vy * c.ny;                                          // m/s, d'
+  c.touch.slip = c.vy * c.nx - c.vx * c.ny + (c.spin_a * c.arm_a + c.spin_b * c.arm_b);  // m/s, vt
+  c.touch.spring = c.slot < 0 ? 0 : now.y[now.layout.spring_of(c.slot)];                 // m, xi
+  c.touch.spin = c.spin_a - c.spin_b;                                                    // rad/s, w
+  c.touch.reduced_radius = radius_of(parts, pair);                                       // m, R*
+  c.touch.reduced_mass = mass_of(parts, pair, near);                                     // kg, m*
+
+  c.force = hertz_mindlin(parts.law[c.law], c.touch, parts.rolling_smoothing);
+  c.fx = -c.force.normal * c.nx - c.force.tangential * c.ny;  // N, on a; the tangent is (-ny, nx)
+  c.fy = -c.force.normal * c.ny + c.force.tangential * c.nx;
+  c.torque_a = c.arm_a * c.force.tangential + c.force.moment;  // N m
+  if (pair.kind == disc_disc) c.torque_b = c.arm_b * c.force.tangential - c.force.moment;
+  return c;
+}
+
+}  // namespace furrow::reference

@@ -1,0 +1,158 @@
+// y' = f(t, y): all contacts, all links, the sums of forces, the ledger. The order of the sums is that of
+// system/order.h.
+#include <algorithm>
+#include <utility>
+
+#include "physics/link.h"
+#include "reference/reference.h"
+#include "system/order.h"
+#include "system/surface.h"
+
+namespace furrow::reference {
+namespace {
+
+struct Load {
+  double fx = 0, fy = 0;  // N
+  double torque = 0;      // N m
+};
+
+void add(Load& sum, double fx, double fy, double torque) {
+  sum.fx += fx;
+  sum.fy += fy;
+  sum.torque += torque;
+}
+
+struct Sums {
+  std::vector<Load> disc, node;
+  ContactPowers powers;
+  double plate_work = 0;    // W
+  double link_damping = 0;  // W
+};
+
+// Pairs of discs, block by block; what they do to a disc of a later block is added after all blocks.
+void add_disc_pairs(const Moment& now, const std::vector<Contact>& contacts, Sums& sums) {
+  std::vector<ContactPowers> block(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));
+  std::vector<std::pair<int, Load>> boundary;
+  for (const Contact& c : contacts) {
+    if (c.id.kind != disc_disc) continue;
+    add(sums.disc[c.id.a], c.fx, c.fy, c.torque_a);
+    if (across_blocks(c.id.a, c.id.b)) {
+      boundary.push_back({c.id.b, {-c.fx, -c.fy, c.torque_b}});
+    } else {
+      add(sums.disc[c.id.b], -c.fx, -c.fy, c.torque_b);
+    }
+    block[block_of(c.id.a)].add(touch_powers(c.touch, c.force), now.parts.friction);
+  }
+  for (const auto& [disc, load] : boundary) add(sums.disc[disc], load.fx, load.fy, load.torque);
+  sums.powers = block[0];
+  for (std::size_t k = 1; k < block.size(); ++k) sums.powers.add(block[k]);
+}
+
+void add_other_contacts(const Moment& now, const std::vector<Contact>& contacts, Sums& sums) {
+  for (const Contact& c : contacts) {
+    if (c.id.kind == disc_disc) continue;
+    add(of_disc(c.id.kind) ? sums.disc[c.id.a] : sums.node[c.id.a], c.fx, c.fy, c.torque_a);
+    if (c.id.kind == disc_lattice) {
+      const double i = 1 - c.share, j = c.share;
+      add(sums.node[now.parts.border.a[c.segment]], -i * c.fx, -i * c.fy, 0);
+      add(sums.node[now.parts.border.b[c.segment]], -j * c.fx, -j * c.fy, 0);
+    }
+    sums.powers.add(touch_powers(c.touch, c.force), now.parts.friction);
+    if (of_plate(c.id.kind)) {
+      const PlateAt at = plate_at(now.parts.plate[c.id.b], now.t, now.discrete.preparing);
+      sums.plate_work += c.fx * at.vx + c.fy * at.vy;
+    }
+  }
+}
+
+void add_links(const Moment& now, Sums& sums) {
+  const LinkArrays& link = now.parts.link;
+  for (int k = 0; k < link.count(); ++k) {
+    if (is_torn(now.discrete, k)) continue;
+    const Body a = node_of(now, link.a[k]);
+    const Body b = node_of(now, link.b[k]);
+    const LinkForce f = link_force(a.x - b.x, a.y - b.y, a.vx - b.vx, a.vy - b.vy, link.rest[k], link.stiffness[k],
+                                   link.damping[k], link.axial[k] != 0);
+    add(sums.node[link.a[k]], f.fx, f.fy, 0);
+    add(sums.node[link.b[k]], -f.fx, -f.fy, 0);
+    sums.link_damping += f.damping;
+  }
+}
+
+// Newton's law, body by body.
+void accelerate(const Moment& now, const Sums& sums, State& rates) {
+  const Parts& parts = now.parts;
+  const Layout& at = now.layout;
+  for (int i = 0; i < parts.disc.count(); ++i) {
+    rates[at.vx_of(i)] = sums.disc[i].fx * (1 / parts.disc.mass[i]);
+    rates[at.vy_of(i)] = sums.disc[i].fy * (1 / parts.disc.mass[i]) - parts.gravity;
+    if (parts.friction) rates[at.spin_of(i)] = sums.disc[i].torque * (1 / parts.disc.inertia[i]);
+  }
+  for (int n = 0; n < parts.node.count(); ++n) {
+    const int body = parts.node.body[n];
+    if (body < 0) continue;
+    rates[at.vx_of(body)] = sums.node[n].fx * (1 / parts.node.mass[n]);
+    rates[at.vy_of(body)] = sums.node[n].fy * (1 / parts.node.mass[n]) - parts.node.weight[n];
+  }
+}
+
+void book(const Layout& at, const Sums& sums, State& rates) {
+  rates[at.ledger_of(contact_viscous)] = sums.powers.viscous;
+  rates[at.ledger_of(friction_work)] = sums.powers.friction;
+  rates[at.ledger_of(rolling_work)] = sums.powers.rolling;
+  rates[at.ledger_of(stiffening)] = sums.powers.stiffening;
+  rates[at.ledger_of(link_damping)] = sums.link_damping;
+  rates[at.ledger_of(plate_work)] = sums.plate_work;
+}
+
+}  // namespace
+
+void for_each_pair(const Parts& parts, const std::function<void(const ContactId&)>& for_pair) {
+  const int discs = parts.disc.count();
+  const auto with_each = [&](ContactKind kind, int a, std::size_t count) {
+    for (int b = 0; b < static_cast<int>(count); ++b) for_pair({kind, a, b});
+  };
+  for (int a = 0; a < discs; ++a) {
+    for (int b = a + 1; b < discs; ++b) for_pair({disc_disc, a, b});
+  }
+  for (int a = 0; a < discs; ++a) with_each(disc_wall, a, parts.wall.size());
+  for (int a = 0; a < discs; ++a) with_each(disc_plate, a, parts.plate.size());
+  for (int a = 0; a < discs; ++a) with_each(disc_lattice, a, parts.lattice.size());
+  for (const ContactKind kind : {node_wall, node_plate}) {
+    for (int a = 0; a < parts.node.count(); ++a) {
+      if (parts.node.body[a] < 0) continue;  // neither a fixed node nor a wall or plate can give way
+      with_each(kind, a, kind == node_wall ? parts.wall.size() : parts.plate.size());
+    }
+  }
+}
+
+std::vector<Contact> contacts(const Moment& now) {
+  std::vector<Contact> touching;
+  for_each_pair(now.parts, [&](const ContactId& pair) {
+    const Approach near = approach(now, pair);
+    if (near.touching) touching.push_back(contact_of(now, pair, near));
+  });
+  return touching;
+}
+
+void flow(const Moment& now, State& rates) {
+  const Layout& at = now.layout;
+  const Parts& parts = now.parts;
+  Sums sums;
+  sums.disc.resize(static_cast<std::size_t>(parts.disc.count()));
+  for (int n = 0; n < parts.node.count(); ++n) sums.node.push_back({parts.node.load_x[n], parts.node.load_y[n], 0});
+  const std::vector<Contact> touching = contacts(now);
+  add_disc_pairs(now, touching, sums);
+  add_other_contacts(now, touching, sums);
+  add_links(now, sums);
+
+  std::fill(rates.begin(), rates.end(), 0.0);
+  std::copy_n(now.y.begin() + at.vx_of(0), 2 * at.bodies, rates.begin());  // x' = v
+  accelerate(now, sums, rates);
+  for (const Contact& c : touching) {
+    if (c.slot >= 0) rates[at.spring_of(c.slot)] = c.touch.slip;  // xi' = vt
+  }
+  if (parts.keeps_ledger) book(at, sums, rates);
+}
+
+}  // namespace furrow::reference

@@ -1,0 +1,81 @@
+// The reference solver: flow and jump of a scene, every pair, contact after contact, as MODEL.md has it. It is there to
+// be read and to judge the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
+//
+//   contact.cpp   one contact: where two parts touch, how they move there, and what the law answers
+//   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger
+//   jump.cpp      after each accepted step: springs returned to the Coulomb limit, slots handed out, links torn
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "system/solver.h"
+#include "system/survey.h"
+
+namespace furrow::reference {
+
+// A scene at one moment, as all functions here take it.
+struct Moment {
+  const Parts& parts;
+  const Layout& layout;
+  const DiscreteState& discrete;
+  double t;  // s
+  const State& y;
+};
+
+struct Body {
+  double x, y;    // m
+  double vx, vy;  // m/s
+  double spin;    // rad/s
+};
+
+Body disc_of(const Moment& now, int disc);
+Body node_of(const Moment& now, int node);
+
+// How the two of a pair are to each other.
+struct Approach {
+  bool near = false;  // closer than Parts::margin
+  bool touching = false;
+  double overlap = 0;     // m, if they touch
+  double nx = 0, ny = 0;  // unit vector from a to b
+  int segment = -1;       // disc-lattice: the nearest one
+  double share = 0;       // -, disc-lattice: where on it
+};
+Approach approach(const Moment& now, const ContactId& pair);
+
+// The contact of a pair that touches.
+Contact contact_of(const Moment& now, const ContactId& pair, const Approach& near);
+
+// Every pair that there can be, in the order of the sums: see system/order.h.
+void for_each_pair(const Parts& parts, const std::function<void(const ContactId&)>& for_pair);
+
+// All contacts that touch, in the same order.
+std::vector<Contact> contacts(const Moment& now);
+
+// y' = f(t, y).
+void flow(const Moment& now, State& rates);
+
+class Reference final : public Solver {
+ public:
+  explicit Reference(std::shared_ptr<const Parts> parts);
+
+  std::unique_ptr<Solver> clone() const override { return std::make_unique<Reference>(*this); }
+  void flow(double t, const State& y, State& dydt) const override;
+  JumpReport jump(double t, State& y) override;
+  void for_each_contact(double t, const State& y, const Visit& visit) const override;
+  DiscreteState discrete_state() const override { return discrete_; }
+  void restore(const DiscreteState& discrete) override;
+  bool torn(int link) const override;
+  bool preparing() const override { return discrete_.preparing; }
+  void prepare(bool preparing) override { discrete_.preparing = preparing; }
+  void watch(bool watched) override { watched_ = watched; }
+  Survey& survey() override { return survey_; }
+
+ private:
+  DiscreteState discrete_;
+  bool watched_ = false;
+  Survey survey_;
+};
+
+}  // namespace furrow::reference

@@ -1,0 +1,114 @@
+#include "run/crossing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow {
+namespace {
+
+struct Path {
+  Vec2 from, to;  // m
+};
+
+// m, from the middle of a rectangle or node to a point.
+Vec2 from_middle(const System& system, int plate, double t, Vec2 at) {
+  const PlatePart& p = system.parts().plate[plate];
+  const PlateAt now = system.plate_at(plate, t);
+  return {at.x - (now.left + 0.5 * p.width), at.y - (now.lower + 0.5 * p.height)};
+}
+
+Vec2 place(const System& system, const State& y, int body) { return {y[system.x_of(body)], y[system.y_of(body)]}; }
+
+Path path_from_plate(const System& system, const Step& s, int plate, int body) {
+  return {from_middle(system, plate, s.t - s.h, place(system, s.before, body)),
+          from_middle(system, plate, s.t, place(system, s.after, body))};
+}
+
+Vec2 node_place(const System& system, const State& y, int node) {
+  const int body = system.parts().node.body[node];
+  return body < 0 ? Vec2{system.parts().node.x[node], system.parts().node.y[node]} : place(system, y, body);
+}
+
+// Twice the area of the triangle a, b, p: positive if p is to the left of a -> b.
+double side_of(Vec2 a, Vec2 b, Vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+bool crosses_segment(const System& system, const Step& s, int disc, int segment) {
+  const BorderArrays& border = system.parts().border;
+  const int link = border.link[segment];
+  if (border.a[segment] == border.b[segment] || (link >= 0 && system.torn(link))) return false;
+  const auto ends = [&](const State& y) {
+    return Path{node_place(system, y, border.a[segment]), node_place(system, y, border.b[segment])};
+  };
+  const Path was = ends(s.before), is = ends(s.after);
+  const Vec2 from = place(system, s.before, disc), to = place(system, s.after, disc);
+  const double left_before = side_of(was.from, was.to, from), left_after = side_of(is.from, is.to, to);
+  if ((left_before > 0) == (left_after > 0)) return false;
+  const double ux = is.to.x - is.from.x, uy = is.to.y - is.from.y;
+  const double along = (to.x - is.from.x) * ux + (to.y - is.from.y) * uy;
+  return along >= 0 && along <= ux * ux + uy * uy;
+}
+
+// Whether the straight path meets the box |x| <= half_width, |y| <= half_height: clipped axis by axis.
+bool meets_box(const Path& path, double half_width, double half_height) {
+  double enters = 0, leaves = 1;
+  const auto clip = [&](double from, double to, double half) {
+    const double way = to - from;
+    if (way == 0) return std::fabs(from) <= half;
+    const double one = (-half - from) / way, other = (half - from) / way;
+    enters = std::max(enters, std::min(one, other));
+    leaves = std::min(leaves, std::max(one, other));
+    return true;
+  };
+  return clip(path.from.x, path.to.x, half_width) && clip(path.from.y, path.to.y, half_height) && enters <= leaves;
+}
+
+bool inside_box(Vec2 p, double half_width, double half_height) {
+  return std::fabs(p.x) <= half_width && std::fabs(p.y) <= half_height;
+}
+
+}  // namespace
+
+bool crosses_plate(const System& system, const Step& s, const ContactId& contact) {
+  const Parts& parts = system.parts();
+  const PlatePart& p = parts.plate[contact.b];
+  const int body = of_disc(contact.kind) ? contact.a : parts.node.body[contact.a];
+  const Path path = path_from_plate(system, s, contact.b, body);
+  const bool upright = p.width <= p.height;
+  const double from = upright ? path.from.x : path.from.y, to = upright ? path.to.x : path.to.y;
+  if ((from > 0) == (to > 0)) return false;
+  const double share = from / (from - to);
+  const double start = upright ? path.from.y : path.from.x, end = upright ? path.to.y : path.to.x;
+  return std::fabs(start + share * (end - start)) <= 0.5 * std::max(p.width, p.height);
+}
+
+bool crosses_border(const System& system, const Step& s, const Survey::Near& near) {
+  const BorderArrays& border = system.parts().border;
+  const auto crosses = [&](int segment) {
+    const bool there =
+        segment >= 0 && segment < border.count() && border.lattice[segment] == border.lattice[near.segment];
+    return there && crosses_segment(system, s, near.contact.a, segment);
+  };
+  return crosses(near.segment - 1) || crosses(near.segment) || crosses(near.segment + 1);
+}
+
+ContactId stepped_over(const System& system, const Step& s) {
+  const Parts& parts = system.parts();
+  for (int k = 0; k < static_cast<int>(parts.plate.size()); ++k) {
+    const PlatePart& p = parts.plate[k];
+    const auto over = [&](int body, double radius) {
+      const Path path = path_from_plate(system, s, k, body);
+      const double width = 0.5 * p.width + radius, height = 0.5 * p.height + radius;
+      return !inside_box(path.from, width, height) && !inside_box(path.to, width, height) &&
+             meets_box(path, 0.5 * p.width, 0.5 * p.height);
+    };
+    for (int i = 0; i < parts.disc.count(); ++i) {
+      if (over(i, parts.disc.radius[i])) return {disc_plate, i, k};
+    }
+    for (int n = 0; n < parts.node.count(); ++n) {
+      if (parts.node.body[n] >= 0 && over(parts.node.body[n], 0)) return {node_plate, n, k};
+    }
+  }
+  return {};
+}
+
+}  // namespace furrow

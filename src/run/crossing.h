@@ -1,0 +1,25 @@
+// Whether a centre passes through something in a step: straight paths between two states, seen from what it passes.
+#pragma once
+
+#include "run/system.h"
+#include "system/survey.h"
+
+namespace furrow {
+
+// A step of h that ended at t.
+struct Step {
+  double t, h;
+  const State &before, &after;
+};
+
+// Whether disc or node `contact.a` crossed the middle of the plate contact.b, between its two larger faces.
+bool crosses_plate(const System& system, const Step& step, const ContactId& contact);
+
+// Whether disc `near.contact.a` crossed the border segment near.segment or one next to it, while whole.
+bool crosses_border(const System& system, const Step& step, const Survey::Near& near);
+
+// The first disc or node that in this step came from one side of a plate to another and touches it neither before nor
+// after: the plate stepped over it. a = -1: none.
+ContactId stepped_over(const System& system, const Step& step);
+
+}  // namespace furrow

@@ -1,0 +1,298 @@
+#include "run/validity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/wide.h"
+#include "methods/method.h"
+#include "run/crossing.h"
+#include "run/stiffness.h"
+#include "scene/wording.h"
+
+namespace furrow {
+namespace {
+
+constexpr long looks_every = 200;     // steps, at the energy
+constexpr double renew_beyond = 1.1;  // times what the step was judged by
+constexpr double round_off = 1e-10;   // of the sum of all energies: below, a residual is none;
+constexpr double first_touch = 1e-6;  // the same, of m v^2 / 2 of the lightest body at the greatest speed
+
+struct Rule {
+  WatchKind kind;
+  const char* name;
+  double warns_above, ends_above;
+  const char *before, *after;  // what a message says around the number
+};
+constexpr std::array<Rule, watch_kinds> rules{{
+    {WatchKind::energy_made, "energy_made", 0.01, 0.1, "the method has made ",
+     " of the energy that the scene was given"},
+    {WatchKind::energy_lost, "energy_lost", 0.01, 1, "the method has lost ", " of the energy that the scene was given"},
+    {WatchKind::overlap, "overlap", 0.1, 1, "the overlap is ", " of the smaller radius"},
+    {WatchKind::behind_walls, "behind_walls", 0, 0, "discs whose centres are behind a wall: ", ""},
+    {WatchKind::through_plates, "through_plates", 0, 0, "centres that have crossed the middle of a plate: ", ""},
+    {WatchKind::through_lattices, "through_lattices", 0, 0, "centres that have crossed the border of a lattice: ", ""},
+    {WatchKind::impact, "impact", 1, infinity, "a contact has ",
+     " times the energy that carries the one through the other"},
+    {WatchKind::step, "step", 0.5, infinity, "the step is ", " times the largest stable one"},
+    {WatchKind::arrival, "arrival", 1, infinity, "the step is ",
+     " times the largest stable one of an impact that may come"},
+}};
+
+struct Fastest {
+  double squared = 0, moved_squared = 0;
+};
+
+// Greatest speed of a body, and how far one moved, both squared.
+FURROW_WIDE Fastest fastest_lanes(const double* before, const double* y, std::size_t n) {
+  constexpr int lanes = 8;
+  double speed[lanes] = {}, move[lanes] = {};
+  for (std::size_t first = 0; first < n; first += lanes) {
+    const std::size_t last = std::min(n, first + lanes);
+    for (std::size_t i = first; i < last; ++i) {
+      const double dx = y[i] - before[i], dy = y[n + i] - before[n + i];
+      const double moved = dx * dx + dy * dy;
+      const double squared = y[2 * n + i] * y[2 * n + i] + y[3 * n + i] * y[3 * n + i];
+      move[i - first] = moved > move[i - first] ? moved : move[i - first];
+      speed[i - first] = squared > speed[i - first] ? squared : speed[i - first];
+    }
+  }
+  Fastest all;
+  for (int k = 0; k < lanes; ++k) {
+    all.squared = std::max(all.squared, speed[k]);
+    all.moved_squared = std::max(all.moved_squared, move[k]);
+  }
+  return all;
+}
+FURROW_WIDTHS(Fastest, fastest, (const double* before, const double* y, std::size_t n), (before, y, n))
+
+std::optional<double> allowed(const Scene& scene, WatchKind kind) {
+  if (!scene.allow) return {};
+  const Allow& a = *scene.allow;
+  const auto any = [](bool is) { return is ? std::optional(infinity) : std::nullopt; };
+  switch (kind) {
+    case WatchKind::energy_made:
+      return a.energy_made;
+    case WatchKind::energy_lost:
+      return a.energy_lost;
+    case WatchKind::overlap:
+      return a.overlap;
+    case WatchKind::behind_walls:
+      return any(a.behind_walls);
+    case WatchKind::through_plates:
+      return any(a.through_plates);
+    case WatchKind::through_lattices:
+      return any(a.through_lattices);
+    case WatchKind::step:
+      return a.step;
+    case WatchKind::impact:
+    case WatchKind::arrival:
+      break;
+  }
+  return {};
+}
+
+std::string allowance(const std::string& method, const StiffPart& part, double limit) {
+  Sentence text;
+  text.precision(3);
+  text << method << " allows " << limit << " s for " << part.name << ", " << part.contacts
+       << " contacts, damping ratio " << part.oscillator.zeta
+       << ", its neighbours held; half of that if they move against it";
+  return text.str();
+}
+
+double sum_of(const Energies& e) {
+  return e.live() + std::fabs(e.gravity) + std::fabs(e.load) + e.lost() + std::fabs(e.plate_work) +
+         std::fabs(e.stiffening);
+}
+
+}  // namespace
+
+const char* to_string(Verdict verdict) {
+  constexpr std::array names{"not watched", "kept", "allowed", "warned", "broken"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+Verdict Watched::verdict() const {
+  if (!watched) return Verdict::not_watched;
+  if (worst <= warns_above) return Verdict::kept;
+  if (allowed && worst <= *allowed) return Verdict::allowed;
+  return worst > std::max(ends_above, allowed.value_or(0)) ? Verdict::broken : Verdict::warned;
+}
+
+Validity::Validity(System& system, const Scene& scene, Warn warn)
+    : system_(system), scene_(scene), warn_(std::move(warn)) {
+  system_.watch(true);
+  system_.survey() = {};
+  system_.survey().fast = 0.9 * least_passing_speed(system.parts());
+  for (const Rule& rule : rules) {
+    Watched& w = watch_[static_cast<std::size_t>(rule.kind)];
+    w.name = rule.name;
+    w.warns_above = rule.warns_above;
+    w.ends_above = rule.ends_above;
+    w.allowed = furrow::allowed(scene, rule.kind);
+  }
+  const bool books = system.keeps_ledger();
+  watch_[static_cast<std::size_t>(WatchKind::energy_made)].watched = books;
+  watch_[static_cast<std::size_t>(WatchKind::energy_lost)].watched = books;
+  step_ = make_method(scene.time.method)->info().controlled ? scene.time.max_step : scene.time.step;
+  const Parts& parts = system.parts();
+  extremes_.plate.resize(parts.plate.size());
+  for (const PlatePart& p : parts.plate) plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
+  for (const double mass : parts.disc.mass) lightest_ = std::min(lightest_, mass);
+  for (const double mass : parts.node.mass) lightest_ = std::min(lightest_, mass);
+}
+
+void Watched::history(HistoryVisitor& visit) {
+  visit("worst", worst);
+  visit("time", time);
+  visit("where", where);
+  visit("times", times);
+}
+
+void RunExtremes::history(HistoryVisitor& visit) {
+  visit.list("plates", plate, [&](PlateForce& p) {
+    visit("force", p.force);
+    visit("fx", p.fx);
+    visit("fy", p.fy);
+    visit("time", p.time);
+  });
+  visit("speed", speed);
+  visit("speed time", speed_time);
+  visit("fastest", fastest);
+}
+
+void Validity::history(HistoryVisitor& visit) {
+  for (Watched& w : watch_) w.history(visit);
+  extremes_.history(visit);
+  visit("failure", failure_);
+  visit("started", started_);
+  start_.history(visit);
+  visit("supplied", supplied_);
+  visit("plate power", plate_power_);
+  visit("since booked", since_booked_);
+  visit("stepped overlap", stepped_overlap_);
+  visit("stepped contacts", stepped_contacts_);
+  visit("arrival speed", arrival_speed_);
+  visit("known overlap", system_.survey().known_overlap);
+  visit("reach", system_.survey().reach);
+}
+
+// Keeps the worst.
+template <class Where>
+void Validity::look(WatchKind kind, double t, double value, const Where& where) {
+  Watched& w = of(kind);
+  if (value > w.warns_above) ++w.times;
+  if (!(value > w.worst)) return;
+  const Verdict before = w.verdict();
+  w.worst = value;
+  w.time = t;
+  w.where = where();
+  if (w.verdict() != before) say(kind, w.verdict());
+}
+
+// Warns once, and fails the run once.
+void Validity::say(WatchKind kind, Verdict verdict) {
+  if (verdict < Verdict::warned || !failure_.empty()) return;
+  const Watched& w = of(kind);
+  Sentence text;
+  text.precision(3);
+  const Rule& rule = rules[static_cast<std::size_t>(kind)];
+  text << "at t = " << w.time << " s " << rule.before << w.worst << rule.after;
+  if (!w.where.empty()) text << " (" << w.where << ")";
+  if (verdict == Verdict::warned) return warn_(text.str());
+  text << ". Beyond that the run says nothing of the scene; take a shorter step or stiffer parts, or let it go on by "
+          "[allow] "
+       << w.name;
+  failure_ = text.str();
+}
+
+void Validity::see(const Step& step, const JumpReport& report) {
+  const Survey& survey = *report.survey;
+  look_at_speed(step);
+  look_at_plates(step.t, survey);
+  look_at_contacts(step.t, survey);
+  if (!survey.near.empty() && step.h > 0) look_for_crossings(step, survey);
+  look_at_step(step, survey);
+  look_at_arrival(step.t);
+  if (system_.keeps_ledger() && (!started_ || ++since_booked_ >= looks_every))
+    book(step.t, observe(system_, step.t, step.after));
+  started_ = true;
+}
+
+void Validity::look_at_speed(const Step& step) {
+  const auto bodies = static_cast<std::size_t>(system_.parts().bodies());
+  const Fastest most = fastest(step.before.data(), step.after.data(), bodies);
+  // A disc that is closer to a border than it and the border may move in a step, or in the next one at twice the speed.
+  system_.survey().reach = 4 * std::sqrt(std::max(most.moved_squared, most.squared * step_ * step_));
+  if (!(most.squared > extremes_.speed * extremes_.speed)) return;
+  extremes_.speed = std::sqrt(most.squared);
+  extremes_.speed_time = step.t;
+}
+
+void Validity::look_at_plates(double t, const Survey& survey) {
+  plate_power_ = 0;
+  for (std::size_t k = 0; k < extremes_.plate.size(); ++k) {
+    const double fx = survey.plate_fx[k], fy = survey.plate_fy[k];
+    const PlatePart& p = system_.parts().plate[k];
+    plate_power_ += std::fabs(fx * p.vx + fy * p.vy);
+    RunExtremes::PlateForce& greatest = extremes_.plate[k];
+    if (fx * fx + fy * fy > greatest.force * greatest.force) greatest = {std::hypot(fx, fy), fx, fy, t};
+  }
+}
+
+void Validity::look_at_contacts(double t, const Survey& survey) {
+  const ContactExtremes& seen = survey.seen;
+  look(WatchKind::overlap, t, seen.overlap, [&] { return contact_name(system_.parts(), seen.deepest); });
+  system_.survey().known_overlap = of(WatchKind::overlap).worst;
+  look(WatchKind::behind_walls, t, seen.behind_walls, [] { return std::string(); });
+  look(WatchKind::impact, t, seen.impact, [&] { return contact_name(system_.parts(), seen.hardest); });
+}
+
+void Validity::look_for_crossings(const Step& step, const Survey& survey) {
+  for (const Survey::Near& near : survey.near) {
+    const bool border = near.contact.kind == disc_lattice;
+    if (!(border ? crosses_border(system_, step, near) : crosses_plate(system_, step, near.contact))) continue;
+    const WatchKind kind = border ? WatchKind::through_lattices : WatchKind::through_plates;
+    look(kind, step.t, of(kind).worst + 1, [&] { return contact_name(system_.parts(), near.contact); });
+  }
+}
+
+// The spectrum of the contacts changes with how many there are and how deep.
+void Validity::look_at_step(const Step& step, const Survey& survey) {
+  const bool deeper = survey.seen.overlap > renew_beyond * stepped_overlap_;
+  const bool more = survey.seen.contacts > renew_beyond * stepped_contacts_;
+  if (started_ && !deeper && !more) return;
+  stepped_overlap_ = std::max(stepped_overlap_, survey.seen.overlap);
+  stepped_contacts_ = std::max(stepped_contacts_, survey.seen.contacts);
+  const StiffPart part = stiffest_part(system_, step.t, step.after);
+  if (part.name.empty()) return;
+  const double limit = largest_stable_step(scene_.time.method, part.oscillator);
+  look(WatchKind::step, step.t, step_ / limit, [&] { return allowance(scene_.time.method, part, limit); });
+}
+
+void Validity::look_at_arrival(double t) {
+  const double speed = extremes_.speed + plate_speed_;
+  if (!(speed > renew_beyond * arrival_speed_)) return;
+  arrival_speed_ = speed;
+  Sentence where;
+  where.precision(3);
+  where << "at " << speed << " m/s";
+  const double limit = largest_stable_step(scene_.time.method, stiffest_impact(system_.parts(), speed));
+  look(WatchKind::arrival, t, step_ / limit, [&] { return where.str(); });
+}
+
+void Validity::book(double t, const Observation& seen) {
+  since_booked_ = 0;
+  const Energies& e = seen.energy;
+  if (!started_) start_ = e;
+  // What plates will do in the step in which they touch the method cannot know yet.
+  supplied_ = std::max(supplied_, e.supplied(start_) + plate_power_ * step_);
+  const double residual = e.residual(start_);
+  const double speed = extremes_.speed + plate_speed_;
+  const double nothing = std::max(round_off * sum_of(e), first_touch * 0.5 * lightest_ * speed * speed);
+  if (!(std::fabs(residual) > nothing) || !(supplied_ > 0)) return;
+  look(residual > 0 ? WatchKind::energy_made : WatchKind::energy_lost, t, std::fabs(residual) / supplied_,
+       [] { return std::string(); });
+}
+
+}  // namespace furrow

@@ -1,0 +1,126 @@
+// Whether a run keeps to what its laws and its method can answer for: watched at every accepted step.
+//
+//   watch            measured                                                     warns above   ends the run above
+//   energy_made      residual of the ledger, of all that the scene was given          0.01            0.1
+//   energy_lost      the same, where energy is missing                                0.01            1
+//   overlap          of the smaller radius                                            0.1             1
+//   behind_walls     discs whose centres are behind a wall, at once                    0              0
+//   through_plates   centres that crossed the middle of a plate                        0              0
+//   through_lattices centres that crossed a whole border segment                       0              0
+//   impact           energy of a contact, of what carries the one through the other   1               -
+//   step             step, of the largest stable one at the contacts that are there   0.5             -
+//   arrival          step, of the largest stable one in an impact at the greatest      1              -
+//                    speed that there is
+//
+// Overlap: at 0.1 a contact is 0.3 radii wide, which Hertz's half-space is not; at 1 a centre reaches the other's
+// surface. Energy: a ledger closes to the error of the method; a tenth of all energy made is a run about something
+// else. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends. Energy is
+// looked at where rows are written and every 200 steps, since what was made stays in the residual; the step when
+// contacts have come or deepened by a tenth; all else at each step.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "run/crossing.h"
+#include "run/observe.h"
+
+namespace furrow {
+
+enum class WatchKind {
+  energy_made,
+  energy_lost,
+  overlap,
+  behind_walls,
+  through_plates,
+  through_lattices,
+  impact,
+  step,
+  arrival
+};
+inline constexpr int watch_kinds = 9;
+
+enum class Verdict { not_watched, kept, allowed, warned, broken };
+const char* to_string(Verdict verdict);
+
+struct Watched {
+  const char* name = "";
+  double warns_above = 0, ends_above = 0;  // ends: infinity, it does not
+  std::optional<double> allowed{};         // up to here
+  bool watched = true;
+  double worst = 0;
+  double time = 0;  // s, of the worst
+  std::string where;
+  long times = 0;  // looks at which it was above what warns
+  Verdict verdict() const;
+  void history(HistoryVisitor& visit);
+};
+
+// The greatest of all steps.
+struct RunExtremes {
+  struct PlateForce {
+    double force = 0, fx = 0, fy = 0;  // N
+    double time = 0;                   // s
+  };
+  std::vector<PlateForce> plate;
+  double speed = 0, speed_time = 0;  // m/s, of a disc or node; s
+  std::string fastest;
+  void history(HistoryVisitor& visit);
+};
+
+class Validity {
+ public:
+  using Warn = std::function<void(const std::string&)>;
+  Validity(System& system, const Scene& scene, Warn warn);
+  ~Validity() { system_.watch(false); }
+  Validity(const Validity&) = delete;
+  Validity& operator=(const Validity&) = delete;
+
+  // After each accepted step, or the start (h = 0), and its jump.
+  void see(const Step& step, const JumpReport& report);
+
+  // Looks at the energy; `seen` is of the state at t.
+  void book(double t, const Observation& seen);
+
+  void history(HistoryVisitor& visit);
+
+  // Why the run should end; empty if it need not.
+  const std::string& failure() const { return failure_; }
+
+  const std::array<Watched, watch_kinds>& watches() const { return watch_; }
+  const RunExtremes& extremes() const { return extremes_; }
+  const Energies& start() const { return start_; }
+
+ private:
+  Watched& of(WatchKind kind) { return watch_[static_cast<std::size_t>(kind)]; }
+  template <class Where>
+  void look(WatchKind kind, double t, double value, const Where& where);
+  void say(WatchKind kind, Verdict verdict);
+  void look_at_speed(const Step& step);
+  void look_at_contacts(double t, const Survey& survey);
+  void look_at_plates(double t, const Survey& survey);
+  void look_for_crossings(const Step& step, const Survey& survey);
+  void look_at_step(const Step& step, const Survey& survey);
+  void look_at_arrival(double t);
+
+  System& system_;
+  const Scene& scene_;
+  Warn warn_;
+  std::array<Watched, watch_kinds> watch_;
+  RunExtremes extremes_;
+  std::string failure_;
+  double step_;                 // s, the largest that the method takes
+  double plate_speed_ = 0;      // m/s, of the fastest
+  double lightest_ = infinity;  // kg
+  bool started_ = false;
+  Energies start_;
+  double supplied_ = 0;                                // J, the most so far
+  double plate_power_ = 0;                             // W, of the last step
+  long since_booked_ = 0;                              // steps
+  double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last
+  double arrival_speed_ = 0;                           // m/s, the same
+};
+
+}  // namespace furrow

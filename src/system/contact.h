@@ -1,0 +1,67 @@
+// One contact that touches, from its geometry to its forces, as a solver hands it to whoever looks.
+//
+// The tangent is t = (-ny, nx). Body a gets the force -Fn n + Ft t, body b the opposite, shared by the two nodes of a
+// border segment as 1 - share and share.
+//
+//   kind          R*               m*                                      arm of a         n, from a to b
+//   disc-disc     Ra Rb/(Ra + Rb)  ma mb/(ma + mb)                         Ra - d/2, Rb - d/2   between the centres
+//   disc-wall     Ra               ma                                      Ra - d           against the wall's normal
+//   disc-plate    Ra               ma                                      Ra - d           to the nearest point
+//   disc-lattice  Ra               1/(1/ma + (1 - s)^2/mi + s^2/mj)        Ra - d           to the contact point
+//   node-wall     contact_radius   ma                                      0                against the wall's normal
+//   node-plate    contact_radius   ma                                      0                to the nearest face
+//
+// Fixed nodes have an infinite mass. With `lever = "radius"` an arm is the whole radius.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "physics/contact.h"
+#include "system/parts.h"
+
+namespace furrow {
+
+enum ContactKind { disc_disc, disc_wall, disc_plate, disc_lattice, node_wall, node_plate };
+inline constexpr int contact_kinds = 6;
+inline constexpr std::array<const char*, contact_kinds> contact_kind_names{"disc-disc",    "disc-wall", "disc-plate",
+                                                                           "disc-lattice", "node-wall", "node-plate"};
+
+inline bool of_disc(ContactKind kind) { return kind <= disc_lattice; }
+inline bool of_wall(ContactKind kind) { return kind == disc_wall || kind == node_wall; }
+inline bool of_plate(ContactKind kind) { return kind == disc_plate || kind == node_plate; }
+
+struct ContactId {
+  ContactKind kind = disc_disc;
+  int a = -1, b = -1;  // disc or node; disc, wall, plate or lattice; -1: none
+};
+
+struct Contact {
+  ContactId id;
+  int law = 0;            // index into Parts::law
+  int slot = -1;          // of the tangential spring in the state; -1: none
+  int segment = -1;       // disc-lattice: index into Parts::border
+  double share = 0;       // -, disc-lattice: 0 at node a of the segment, 1 at node b
+  double nx = 0, ny = 0;  // unit vector from a to b
+  double arm_a = 0;       // m, from the centre to the contact point
+  double arm_b = 0;       // m, of disc b
+  double vx = 0, vy = 0;  // m/s, of a against b at the contact, without spins
+  double spin_a = 0;      // rad/s
+  double spin_b = 0;      // rad/s
+  Touch touch{};          // what the law sees
+  TouchForce force{};     // what it answers
+  double fx = 0, fy = 0;  // N, on a
+  double torque_a = 0;    // N m
+  double torque_b = 0;    // N m, on disc b
+};
+
+// J, in the normal and the tangential spring.
+inline double stored_energy(const Contact& c) {
+  return elastic_energy(c.force.elastic, c.touch.overlap) +
+         0.5 * c.force.shear_stiffness * c.touch.spring * c.touch.spring;
+}
+
+// "disc 3 and wall 0", "disc 3 and lattice stem": which two the contact is of; empty if it is none.
+std::string contact_name(const Parts& parts, const ContactId& contact);
+
+}  // namespace furrow

@@ -1,0 +1,66 @@
+// What of a scene changes beside the flat state: which links are torn, which contact holds which tangential spring.
+//
+// The life of a tangential spring. A contact gets a slot, a place for its spring in the state, with xi = 0, at the
+// first jump that finds its gap below Parts::margin: one step before it can touch. While the two touch, xi' = vt; while
+// they do not, xi' = 0. After each accepted step a jump returns |xi| to mu Fn / St, and sets xi of an open contact to
+// zero. So a contact that opens and closes within one step keeps its spring; whoever wants it otherwise locates events
+// (run/events.h). A contact that has been further away than the margin for more than `quiet_jumps` jumps gives its slot
+// back: longer than the history of any multistep method, so that nothing that it remembers of the old contact reaches
+// the new one. A contact without a slot has no spring: xi = 0. Slots are a stack: the one given back last is taken
+// next.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "system/contact.h"
+#include "system/history.h"
+#include "system/layout.h"
+
+namespace furrow {
+
+inline constexpr std::uint32_t quiet_jumps = 8;
+
+// With a state, the method's history and a time a run goes on from this in another system of the same scene.
+struct DiscreteState {
+  struct Held {
+    int kind, a, b, slot;
+    std::uint32_t near_at;  // jump at which the two were last closer than the margin
+  };
+  std::vector<int> torn;    // links, ascending
+  std::vector<Held> held;   // contacts that hold a slot, sorted by (kind, a, b)
+  std::vector<int> unused;  // slots, the next one last
+  std::uint32_t jumps = 0;  // so many were made
+  bool preparing = false;   // plates stand still and links do not tear
+  int spring_count() const { return static_cast<int>(held.size() + unused.size()); }
+  void history(HistoryVisitor& visit);
+};
+
+// Of a scene at t = 0: nothing is torn, nothing is held.
+DiscreteState initial_discrete_state(const Layout& layout);
+
+bool is_torn(const DiscreteState& discrete, int link);
+int slot_of(const DiscreteState& discrete, const ContactId& contact);  // -1: none
+
+// Whether every slot is held once or unused, every pair is one that there can be, links ascend.
+bool belongs_to(const DiscreteState& discrete, const Parts& parts);
+
+struct Tear {
+  double time;  // s
+  int link;
+  double force;  // N, spring force that exceeded the strength
+};
+
+struct Survey;
+
+// What a jump changed. A multistep method keeps its history unless the right-hand side has jumped.
+struct JumpReport {
+  std::vector<Tear> torn;
+  bool springs_changed = false;
+  Growth grown;                    // of the state, for contacts that found no room in it
+  const Survey* survey = nullptr;  // of the state that was left, if it was asked for
+  State* rates = nullptr;  // at the state that was left, if they are known: the solver's own room, to be swapped out
+  bool flow_jumped() const { return !torn.empty(); }
+};
+
+}  // namespace furrow

@@ -1,0 +1,47 @@
+// Where each number stands in the flat state:  [ x, y | vx, vy | spin | tangential springs | ledger ]
+//
+//   x, y, vx, vy  one number for each disc, then for each free node          m, m/s
+//   spin          one for each disc, only if some contact has friction       rad/s
+//   springs       one for each slot, only if some contact has friction       m
+//                 then a few dummy slots that stay 0: contacts without a slot read and write there
+//   ledger        energies handed over since t = 0, only if asked for        J
+#pragma once
+
+#include "system/ode.h"
+#include "system/parts.h"
+
+namespace furrow {
+
+enum Ledger { link_damping, contact_viscous, friction_work, rolling_work, tear_energy, plate_work, stiffening };
+inline constexpr int ledger_entries = 7;
+
+struct Layout {
+  int bodies = 0;        // discs and free nodes
+  int first_spring = 0;  // also: how many numbers are there all the time
+  int spring_count = 0;  // slots; a jump makes more where they do not suffice
+  int dummy_slots = 0;
+  bool keeps_ledger = false;
+
+  int x_of(int body) const { return body; }
+  int y_of(int body) const { return bodies + body; }
+  int vx_of(int body) const { return 2 * bodies + body; }
+  int vy_of(int body) const { return 3 * bodies + body; }
+  int spin_of(int disc) const { return 4 * bodies + disc; }
+  int spring_of(int slot) const { return first_spring + slot; }
+  int first_dummy() const { return first_spring + spring_count; }
+  int ledger_of(int entry) const { return first_dummy() + dummy_slots + entry; }
+  int size() const { return ledger_of(keeps_ledger ? ledger_entries : 0); }
+};
+
+Layout make_layout(const Parts& parts);
+
+State initial_state(const Parts& parts, const Layout& layout);
+
+// Position and velocity of all nodes; fixed ones stand where they are.
+struct NodeMotion {
+  std::vector<double> x, y, vx, vy;  // m, m/s
+};
+NodeMotion nodes_at_rest(const Parts& parts);
+void move_nodes(const Parts& parts, const Layout& layout, const State& y, NodeMotion& nodes);
+
+}  // namespace furrow
