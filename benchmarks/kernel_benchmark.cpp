@@ -7,9 +7,9 @@
 #include <memory>
 #include <string_view>
 
+#include "kernel/loops.h"
 #include "kernel/wide.h"
 #include "output/machine.h"
-#include "kernel/loops.h"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "scene/read.h"
 #include "run/events.h"
 #include "run/prepare.h"
 #include "run/run.h"
+#include "scene/read.h"
 
 namespace {
 

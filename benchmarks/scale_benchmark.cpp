@@ -17,18 +17,18 @@
 #include <utility>
 #include <vector>
 
+#include "benchmarks/tracking/kernels.h"
 #include "kernel/kernel.h"
 #include "methods/method.h"
 #include "output/machine.h"
 #include "run/events.h"
 #include "run/prepare.h"
 #include "scene/packing.h"
-#include "tracking/kernels.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-namespace tracking = furrow::tracking;
+namespace benchmarks = furrow::benchmarks;
 
 constexpr int tile = 230;  // discs of the paper's second scene
 
@@ -52,11 +52,11 @@ const furrow::Scene& side_by_side(long discs) {
   static std::map<long, furrow::Scene> all;
   if (const auto found = all.find(discs); found != all.end()) return found->second;
   const fs::path beds = fs::temp_directory_path() / ("furrow_scale_" + std::to_string(getpid()));
-  tracking::make_beds(beds);
-  furrow::Scene scene = tracking::with_bed(tracking::paper_scene("scenario_2"), beds / "scenario_2");
+  benchmarks::make_beds(beds);
+  furrow::Scene scene = benchmarks::with_bed(benchmarks::paper_scene("scenario_2"), beds / "scenario_2");
   fs::remove_all(beds);
   scene.output.energy = false;
-  return all[discs] = tracking::repeated(scene, static_cast<int>(discs + tile - 1) / tile);
+  return all[discs] = benchmarks::repeated(scene, static_cast<int>(discs + tile - 1) / tile);
 }
 
 Bed bed_of(const benchmark::State& state) {
@@ -155,7 +155,7 @@ void step(benchmark::State& state) {
 // ---- the bed, made by the program itself ----
 
 furrow::Scene wide(long discs) {
-  furrow::Scene scene = tracking::paper_scene("scenario_2");
+  furrow::Scene scene = benchmarks::paper_scene("scenario_2");
   furrow::Packing& packing = scene.packing.at(0);
   const double times = static_cast<double>(discs) / tile;
   packing.count = static_cast<int>(discs);

@@ -13,7 +13,7 @@ endforeach()
 list(LENGTH FILES count)
 
 file(WRITE "${OUTPUT}" "// Written by cmake/write_embedded.cmake; changes here are lost.
-#include \"page/embedded.h\"
+#include \"report/embedded.h\"
 
 #include <array>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // What is kept and used again is shown to be whole and of the same program; what is missing is named.
-#include "page/evidence.h"
+#include "validation/page/evidence.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,12 +11,12 @@
 #include <new>
 
 #include "output/files.h"
-#include "page/gnuplot.h"
-#include "page/seal.h"
-#include "studies/few_members.h"
-#include "studies/kept_ensemble.h"
+#include "report/seal.h"
+#include "validation/page/gnuplot.h"
+#include "validation/studies/few_members.h"
+#include "validation/studies/kept_ensemble.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -297,4 +297,4 @@ TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
 }
 
 }  // namespace
-}  // namespace furrow::studies
+}  // namespace furrow::validation

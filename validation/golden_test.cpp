@@ -1,6 +1,6 @@
 // The comparison of a run with its golden cannot say "the same" without having compared, and notices every spoilt
 // number.
-#include "studies/golden.h"
+#include "validation/studies/golden.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <functional>
 
 #include "output/files.h"
-#include "page/seal.h"
-#include "studies/golden_compare.h"
+#include "report/seal.h"
+#include "validation/studies/golden_compare.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -214,4 +214,4 @@ TEST(Golden, NoDirectoryIsAnErrorThatSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace furrow::studies
+}  // namespace furrow::validation

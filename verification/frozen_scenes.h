@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/read.h"
 #include "run/prepare.h"
 #include "run/run.h"
+#include "scene/read.h"
 
 namespace furrow::verification {
 

@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "page/seal.h"
+#include "report/seal.h"
 
 namespace {
 

@@ -9,21 +9,21 @@
 #include <cmath>
 #include <string>
 
-#include "studies/order_cure.h"
-#include "studies/order_hertz.h"
-#include "studies/order_observed.h"
-#include "studies/order_predicted.h"
-#include "studies/order_trends.h"
 #include "run/system.h"
 #include "verification/check.h"
 #include "verification/damped_hertz.h"
+#include "verification/studies/order_cure.h"
+#include "verification/studies/order_hertz.h"
+#include "verification/studies/order_observed.h"
+#include "verification/studies/order_predicted.h"
+#include "verification/studies/order_trends.h"
 
 namespace furrow::verification {
 namespace {
 
-using studies::Point;
-using studies::Problem;
-using studies::Slope;
+using verification::Point;
+using verification::Problem;
+using verification::Slope;
 
 const char* const slope_reason =
     "three standard errors of the fit, by Student's t, and twice what the next power of the step does to the slope, or "
@@ -57,13 +57,13 @@ double worst_band(int points) {
 }
 
 // Half of what the prediction would fall by, if it were not met, is the most that tells anything.
-double told_apart(const Slope& slope, double fall) { return std::min(studies::tolerance_of(slope), fall / 2); }
+double told_apart(const Slope& slope, double fall) { return std::min(verification::tolerance_of(slope), fall / 2); }
 
 void expect_orders(const std::string& name) {
-  const Problem& p = studies::problem(name);
+  const Problem& p = verification::problem(name);
   for (const MethodInfo& method : method_catalogue()) {
-    if (method.controlled || !studies::applies(method, p)) continue;
-    const auto v = studies::verdict(method, p, studies::observe(method.name, p, studies::quick));
+    if (method.controlled || !verification::applies(method, p)) continue;
+    const auto v = verification::verdict(method, p, verification::observe(method.name, p, verification::quick));
     const auto& want = *v.predicted;
     const double room = (want.most - want.position) / 2;
     const auto near = [&](double gate) { return absolute(room + gate, slope_reason); };
@@ -125,7 +125,7 @@ TEST(OrderCertificate, ReferencesAgreeWithASecondIntegration) {
       1e-12,
       "rk4 at 4000 steps errs by less than 1e-13; round-off of 4000 sums at 0.1 m over lengths of 1 mm and more");
   for (const Piece& piece : pieces) {
-    const Problem& p = studies::problem(piece.problem);
+    const Problem& p = verification::problem(piece.problem);
     const auto system = p.system();
     const double from = piece.from * p.unit, to = piece.to * p.unit;
     const State want = p.state(to);
@@ -145,7 +145,7 @@ TEST(OrderCertificate, ReferencesAgreeWithASecondIntegration) {
 TEST(OrderCertificate, HertzReferenceAgreesFromTheTouchOn) {
   requirement("order.reference");
   for (const double beta : {0.0, 0.1}) {
-    const studies::HertzPath path(beta, true);
+    const verification::HertzPath path(beta, true);
     for (const double end : {0.5, 1.5, 2.5}) {
       const auto [overlap, speed] = path.at(end);
       const Motion motion = integrate_impact(beta, end, 4000);
@@ -191,14 +191,14 @@ TEST(OrderCertificate, ATornLinkLeavesFirstOrderUnlessItIsLocated) {
 
 TEST(OrderCertificate, StepsThatGrowFromTheTouchRestoreTheOrder) {
   requirement("order.cure");
-  for (const char* method : studies::graded_methods) {
-    for (const char* name : studies::graded_problems) {
-      const Problem& p = studies::problem(name);
-      for (const int grading : studies::gradings) {
-        const Slope slope =
-            studies::fitted(studies::observe_graded(method, p, grading, studies::quick), &Point::position);
+  for (const char* method : verification::graded_methods) {
+    for (const char* name : verification::graded_problems) {
+      const Problem& p = verification::problem(name);
+      for (const int grading : verification::gradings) {
+        const Slope slope = verification::fitted(verification::observe_graded(method, p, grading, verification::quick),
+                                                 &Point::position);
         const MethodInfo info = make_method(method)->info();
-        const double want = studies::predicted_graded(info, p, grading);
+        const double want = verification::predicted_graded(info, p, grading);
         const double uncured = std::min<double>(info.order, p.limit);
         expect("order of the position, " + std::string(method) + ", " + p.title + ", g = " + std::to_string(grading),
                slope.value, want,
@@ -212,20 +212,20 @@ TEST(OrderCertificate, ErrorsFollowTheTolerance) {
   requirement("order.tolerance");
   for (const MethodInfo& method : method_catalogue()) {
     if (!method.controlled) continue;
-    for (const Problem& p : studies::problems()) {
-      if (!studies::applies(method, p) || p.name == "driven_spring")
+    for (const Problem& p : verification::problems()) {
+      if (!verification::applies(method, p) || p.name == "driven_spring")
         continue;  // smooth as the others: the study has it
-      const Slope s = studies::fitted_exponent(studies::observe(method.name, p, studies::quick));
-      const auto want = studies::predicted_exponents(method, p);
+      const Slope s = verification::fitted_exponent(verification::observe(method.name, p, verification::quick));
+      const auto want = verification::predicted_exponents(method, p);
       const std::string what = "exponent of the tolerance, " + method.name + ", " + p.title;
-      if (p.limit == studies::no_limit) {
-        const double band = method.name.starts_with("odeint") ? worst_band(studies::quick.sizes) : 0;
+      if (p.limit == verification::no_limit) {
+        const double band = method.name.starts_with("odeint") ? worst_band(verification::quick.sizes) : 0;
         expect(what, s.value, want.smooth,
-               absolute(std::min(studies::tolerance_of(s) + band, want.fall / 2), band_reason));
+               absolute(std::min(verification::tolerance_of(s) + band, want.fall / 2), band_reason));
       } else if (method.order > 5 || method.name == "odeint_bulirsch_stoer") {
         continue;  // the longest step rules, not the tolerance
       } else if (p.controller_sees_it) {
-        expect_true(what, s.value > want.with_event - studies::tolerance_of(s),
+        expect_true(what, s.value > want.with_event - verification::tolerance_of(s),
                     "a step over the event whose estimate happens to vanish is rare, but counts in the mean square");
       } else {
         expect_true(what, s.points >= 4 && s.value < 0.5,
@@ -240,7 +240,7 @@ TEST(OrderCertificate, EvaluationsAreWhatTheCatalogueSays) {
   for (const MethodInfo& method : method_catalogue()) {
     if (method.evaluations == 0) continue;              // as many as the stiffness needs
     const int columns = method.dense_jacobian ? 2 : 0;  // of the oscillator's Jacobian
-    expect("evaluations a step, " + method.name, studies::evaluations(method.name).per_step,
+    expect("evaluations a step, " + method.name, verification::evaluations(method.name).per_step,
            method.evaluations + columns, exact("counted over 100 steps"));
   }
 }
@@ -248,9 +248,9 @@ TEST(OrderCertificate, EvaluationsAreWhatTheCatalogueSays) {
 TEST(OrderCertificate, TheWayBackEndsWhereTheSymmetrySays) {
   requirement("order.reversal");
   for (const MethodInfo& method : method_catalogue()) {
-    const auto want = studies::predicted_return(method);
+    const auto want = verification::predicted_return(method);
     if (!want) continue;
-    const auto points = studies::observe_return(method.name, studies::problem("hertz"), studies::quick);
+    const auto points = verification::observe_return(method.name, verification::problem("hertz"), verification::quick);
     if (std::isinf(*want)) {
       double greatest = 0;
       for (const Point& point : points) greatest = std::max(greatest, point.position);
@@ -258,10 +258,10 @@ TEST(OrderCertificate, TheWayBackEndsWhereTheSymmetrySays) {
           "distance from the start over the overlap, " + method.name, greatest, 0,
           absolute(1e-12, "round-off of some 6000 steps of a symmetric method: 1e-16 each as a random walk is 1e-14"));
     } else {
-      const Slope slope = studies::fitted_return(points);
-      const double logarithm = *want == 5 ? 1 / std::log(studies::problem("hertz").unit / slope.step) : 0;
+      const Slope slope = verification::fitted_return(points);
+      const double logarithm = *want == 5 ? 1 / std::log(verification::problem("hertz").unit / slope.step) : 0;
       expect("order of the distance from the start, " + method.name, slope.value, *want,
-             absolute(std::min(studies::tolerance_of(slope) + logarithm, 0.5), return_reason));
+             absolute(std::min(verification::tolerance_of(slope) + logarithm, 0.5), return_reason));
     }
   }
 }
@@ -273,14 +273,14 @@ TEST(OrderCertificate, EnergyDriftsAsTheAmplificationSays) {
       "1e-8 for the swing of the energy within a period, angle^2/4, in means over windows that are not whole periods";
   for (const MethodInfo& method : method_catalogue()) {
     if (method.controlled) continue;
-    const double got = studies::energy_drift(method.name, angle);
-    if (const auto want = studies::predicted_drift(method.name)) {
-      const double leading = want->factor * std::pow(studies::true_angle(angle), want->power);
+    const double got = verification::energy_drift(method.name, angle);
+    if (const auto want = verification::predicted_drift(method.name)) {
+      const double leading = want->factor * std::pow(verification::true_angle(angle), want->power);
       expect("change of energy a period, h omega = 0.05, leading term, " + method.name, got, leading,
              absolute(2 * angle * angle * std::fabs(leading) + 1e-8,
                       std::string("the next term is angle^2 times a factor of order one; ") + swing));
     }
-    if (const auto want = studies::amplified_drift(method.name, angle)) {
+    if (const auto want = verification::amplified_drift(method.name, angle)) {
       expect("change of energy a period, h omega = 0.05, amplification, " + method.name, got, *want,
              absolute(1e-3 * std::fabs(*want) + 1e-8,
                       std::string("parasitic roots die within the first window but for a start of 1e-3; ") + swing));

@@ -12,18 +12,16 @@
 
 #include "methods/method.h"
 #include "output/run_files.h"
+#include "report/cases.h"
 #include "scene/wording.h"
-#include "studies/amplification.h"
-#include "studies/atlas.h"
-#include "studies/blow_up.h"
-#include "studies/cases.h"
-#include "studies/scene_stability.h"
 #include "verification/check.h"
+#include "verification/studies/amplification.h"
+#include "verification/studies/atlas.h"
+#include "verification/studies/blow_up.h"
+#include "verification/studies/scene_stability.h"
 
 namespace furrow::verification {
 namespace {
-
-using namespace studies;
 
 constexpr double any = -1;  // instead of a limit: not asked
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace furrow::measuring {
+namespace furrow::benchmarks {
 
 struct Interval {
   double low = 0, middle = 0, high = 0;
@@ -60,4 +60,4 @@ inline std::string verdict(const Interval& ratio, double noise) {
   return ratio.high - ratio.low > narrow || noise > narrow ? "too noisy" : "no difference";
 }
 
-}  // namespace furrow::measuring
+}  // namespace furrow::benchmarks

@@ -12,21 +12,21 @@
 #include <random>
 #include <sstream>
 
-#include "measuring/samples.h"
+#include "benchmarks/measuring/samples.h"
+#include "benchmarks/rivals/rivals.h"
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/machine.h"
-#include "rivals/rivals.h"
 #include "run/observe.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-using furrow::measuring::Interval;
-using furrow::measuring::rounded;
-using furrow::rivals::Bed;
-using furrow::rivals::Rival;
-using furrow::rivals::Task;
+using furrow::benchmarks::Bed;
+using furrow::benchmarks::Interval;
+using furrow::benchmarks::Rival;
+using furrow::benchmarks::rounded;
+using furrow::benchmarks::Task;
 using Json = nlohmann::ordered_json;
 
 constexpr double plate_speed = 0.1;                      // m/s
@@ -89,7 +89,7 @@ Seen look(const Bed& bed, const Rival& rival) {
   const fs::path place = bed.directory / "look";
   const auto run = [&](double speed, long steps) {
     const Task task{speed, steps, true, cleared(place)};
-    furrow::measuring::run_well(rival.command(bed, task));
+    furrow::run_measured_well(rival.command(bed, task));
   };
   run(0, rest_steps);
   const bool own = rival.package.empty();
@@ -113,7 +113,7 @@ std::vector<double> pushes_from_nearby(const Bed& bed, const Rival& own) {
   for (int k = 0; k < perturbed_runs; ++k) {
     furrow::Scene scene = bed.prepared.scene;
     for (furrow::Disc& d : scene.disc) d.position = {d.position.x + shift(), d.position.y + shift()};
-    furrow::rivals::write_scene(nearby, scene);
+    furrow::benchmarks::write_scene(nearby, scene);
     pushes.push_back(look(nearby, own).push);
   }
   return pushes;
@@ -143,7 +143,7 @@ struct Times {
 void time_step(const Bed& bed, const Rival& rival, Times& times) {
   const auto ran = [&](long steps) {
     const Task task{plate_speed, steps, false, cleared(bed.directory / "timed")};
-    return furrow::measuring::run_well(rival.command(bed, task));
+    return furrow::run_measured_well(rival.command(bed, task));
   };
   const auto all = ran(rival.steps), one = ran(1);
   const auto steps = static_cast<double>(rival.steps - 1);
@@ -154,7 +154,7 @@ void time_step(const Bed& bed, const Rival& rival, Times& times) {
 // Contacts that touch, the mean over the run: what all programs evaluate, if they agree.
 double mean_contacts(const Bed& bed, const Rival& own) {
   const fs::path place = cleared(bed.directory / "look");
-  furrow::measuring::run_well(own.command(bed, {plate_speed, own.steps, true, place}));
+  furrow::run_measured_well(own.command(bed, {plate_speed, own.steps, true, place}));
   double sum = 0;
   const auto rows = rows_of(place / "run/motion.csv", 8);
   for (const auto& row : rows) sum += row[4];
@@ -163,7 +163,7 @@ double mean_contacts(const Bed& bed, const Rival& own) {
 
 std::string version_of(const std::string& package) {
   if (package.empty()) return std::string(furrow::build_info().commit);
-  return furrow::measuring::run({.words = {"dpkg-query", "-W", "-f=${Version}", package}}).output;
+  return furrow::run_measured({.words = {"dpkg-query", "-W", "-f=${Version}", package}}).output;
 }
 
 struct Entry {
@@ -227,15 +227,15 @@ void conclude(Entry& entry, const std::vector<double>& own, double contacts, Jso
                      {"iterations", entry.rival.steps - 1}};
     report(round, entry.times.cpu[k], entry.times.real[k]);
   }
-  const Interval time = furrow::measuring::median_interval(entry.times.cpu);
-  const Interval ratio = furrow::measuring::median_interval(furrow::measuring::ratios(entry.times.cpu, own));
+  const Interval time = furrow::benchmarks::median_interval(entry.times.cpu);
+  const Interval ratio = furrow::benchmarks::median_interval(furrow::benchmarks::ratios(entry.times.cpu, own));
   json["name"] = entry.rival.name + "_median";
   json["run_type"] = "aggregate";
   json["aggregate_name"] = "median";
   json["aggregate_unit"] = "time";
   json["iterations"] = rounds;
   json["ratio"] = rounded_list({ratio.low, ratio.middle, ratio.high});
-  report(json, time.middle, furrow::measuring::median_interval(entry.times.real).middle);
+  report(json, time.middle, furrow::benchmarks::median_interval(entry.times.real).middle);
   std::printf("%-28s %8.2f us a step   %6.2f [%5.2f, %5.2f]   height %.4f m, push %6.1f N%s\n",
               entry.rival.name.c_str(), 1e6 * time.middle, ratio.middle, ratio.low, ratio.high,
               json["height"].get<double>(), json["push"].get<double>(),
@@ -243,8 +243,8 @@ void conclude(Entry& entry, const std::vector<double>& own, double contacts, Jso
 }
 
 int compare(const fs::path& decks, const fs::path& work, const fs::path& program, const fs::path& result, int rounds) {
-  const Bed bed = furrow::rivals::make_bed(decks, cleared(work), program);
-  const std::vector<Rival> all = furrow::rivals::rivals();
+  const Bed bed = furrow::benchmarks::make_bed(decks, cleared(work), program);
+  const std::vector<Rival> all = furrow::benchmarks::rivals();
   const Seen own = look(bed, all[0]);
   const std::vector<double> pushes = pushes_from_nearby(bed, all[0]);
   const Band band = band_of(bed, own, pushes);

@@ -1,4 +1,4 @@
-#include "rivals/rivals.h"
+#include "benchmarks/rivals/rivals.h"
 
 #include <array>
 #include <cmath>
@@ -7,11 +7,10 @@
 #include "output/files.h"
 #include "scene/read.h"
 
-namespace furrow::rivals {
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
-using measuring::Command;
 
 using Constants = std::vector<std::pair<std::string, std::string>>;
 
@@ -72,23 +71,23 @@ Constants constants(const Bed& bed, const Task& task) {
   return all;
 }
 
-Command deck(std::vector<std::string> words, const Bed& bed, const Task& task) {
+MeasuredCommand deck(std::vector<std::string> words, const Bed& bed, const Task& task) {
   for (const auto& [name, value] : constants(bed, task)) words.insert(words.end(), {"-var", name, value});
   return {std::move(words), task.directory, {"OMP_NUM_THREADS=1"}, task.directory / "errors.txt"};
 }
 
-Command lammps(const Bed& bed, const Task& task, const std::string& law) {
+MeasuredCommand lammps(const Bed& bed, const Task& task, const std::string& law) {
   return deck({"lmp", "-in", bed.decks / "lammps.in", "-log", "none", "-screen", "out.txt", "-var", "law", law}, bed,
               task);
 }
 
-Command liggghts(const Bed& bed, const Task& task) {
+MeasuredCommand liggghts(const Bed& bed, const Task& task) {
   return deck({"liggghts", "-in", bed.decks / "liggghts.in", "-log", "none", "-screen", "out.txt", "-var", "stress",
                task.look ? "/stress" : ""},
               bed, task);
 }
 
-Command yade(const Bed& bed, const Task& task) {
+MeasuredCommand yade(const Bed& bed, const Task& task) {
   std::vector<std::string> words{"yade", "-n", "-x", "-j1", bed.decks / "yade.py"};
   for (const auto& [name, value] : constants(bed, task)) {
     if (name != "plate") words.push_back(name + "=" + value);
@@ -96,7 +95,7 @@ Command yade(const Bed& bed, const Task& task) {
   return {std::move(words), task.directory, {"OMP_NUM_THREADS=1"}, task.directory / "errors.txt"};
 }
 
-Command furrow_with(const Bed& bed, const Task& task, const std::string& method) {
+MeasuredCommand furrow_with(const Bed& bed, const Task& task, const std::string& method) {
   Scene scene = read_scene(bed.directory / "scene.toml");
   scene.plate[0].velocity.x = task.speed;
   scene.time.method = method;
@@ -189,4 +188,4 @@ std::vector<Rival> rivals() {
   };
 }
 
-}  // namespace furrow::rivals
+}  // namespace furrow::benchmarks

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "measuring/process.h"
-#include "scene/scene.h"
+#include "report/measured_process.h"
 #include "run/prepare.h"
+#include "scene/scene.h"
 
-namespace furrow::rivals {
+namespace furrow::benchmarks {
 
 // The settled bed, from which all start, in the files of all programs.
 struct Bed {
@@ -34,9 +34,9 @@ struct Rival {
   std::string name, package, law;  // the package is empty for furrow
   long steps;                      // that are timed
   int evaluations;                 // of the forces, a step
-  std::function<measuring::Command(const Bed&, const Task&)> command;
+  std::function<MeasuredCommand(const Bed&, const Task&)> command;
 };
 
 std::vector<Rival> rivals();
 
-}  // namespace furrow::rivals
+}  // namespace furrow::benchmarks

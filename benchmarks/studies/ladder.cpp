@@ -1,9 +1,9 @@
-#include "studies/ladder.h"
+#include "benchmarks/studies/ladder.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 constexpr double paper_step = 1e-4;  // s: one of the steps of every ladder
@@ -186,4 +186,4 @@ double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*
   return reached;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

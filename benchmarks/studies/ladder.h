@@ -1,10 +1,10 @@
 // One method on one case over a range of steps or tolerances: error and cost, failures included.
 #pragma once
 
+#include "benchmarks/studies/reference.h"
 #include "methods/method.h"
-#include "studies/reference.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 
 struct Rung {
   double setting = 0;                           // s, step; of a controlled method the relative tolerance
@@ -39,4 +39,4 @@ Ladder ladder_from(const Json& json);
 // line in logarithms. NaN if it does not get there.
 double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*cost);
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

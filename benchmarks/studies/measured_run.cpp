@@ -1,4 +1,4 @@
-#include "studies/measured_run.h"
+#include "benchmarks/studies/measured_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "run/run.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 // Sum over all plates; cheaper than observe(), which is not what is measured.
@@ -122,4 +122,4 @@ Error error_of(const Outcome& outcome, const Outcome& reference) {
           difference(outcome.force, reference.force, root_mean_square(reference.force))};
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -1,9 +1,9 @@
 // One run of a case with one method: what came out, and what it cost.
 #pragma once
 
-#include "studies/cases.h"
+#include "report/cases.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 
 struct Effort {
   std::string method;
@@ -38,4 +38,4 @@ Error error_of(const Outcome& outcome, const Outcome& reference);
 // s, of this thread.
 double cpu_seconds();
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -6,12 +6,12 @@
 #include <map>
 #include <optional>
 
+#include "benchmarks/studies/measured_run.h"
+#include "benchmarks/studies/need_terms.h"
+#include "benchmarks/studies/studies.h"
 #include "scene/read.h"
-#include "studies/catalogue.h"
-#include "studies/measured_run.h"
-#include "studies/need_terms.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 // ---- one run ----
@@ -304,4 +304,4 @@ Json need(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -1,8 +1,8 @@
-#include "studies/need_terms.h"
+#include "benchmarks/studies/need_terms.h"
 
 #include <algorithm>
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 void for_each_kind(Scene& scene, const std::function<void(LinkKind&)>& change) {
@@ -86,4 +86,4 @@ std::vector<Subject> subjects(bool quick) {
   return all;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -1,9 +1,9 @@
 // The terms of the model that a scene can be written without, and the scenes in which that is tried.
 #pragma once
 
-#include "studies/cases.h"
+#include "report/cases.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 
 struct Term {
   std::string name;
@@ -24,4 +24,4 @@ struct Subject {
 
 std::vector<Subject> subjects(bool quick);
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -1,11 +1,11 @@
-#include "studies/precision_chart.h"
+#include "benchmarks/studies/precision_chart.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 constexpr double useless = 1;  // an error as large as what happens
@@ -150,4 +150,4 @@ Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders,
   return figure;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -1,4 +1,4 @@
-#include "studies/reference.h"
+#include "benchmarks/studies/reference.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "run/run.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 constexpr double nudge = 1e-12;        // of each position
@@ -85,4 +85,4 @@ Json predictability(const CaseInfo& info, const Case& scene) {
   return result;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

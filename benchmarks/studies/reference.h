@@ -1,10 +1,10 @@
 // What methods are compared with: two runs of a case by unrelated methods, and how long a scene can be foretold at all.
 #pragma once
 
-#include "studies/measured_run.h"
-#include "studies/study.h"
+#include "benchmarks/studies/measured_run.h"
+#include "report/study.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 
 struct Reference {
   Outcome outcome;       // of rk4 with short steps
@@ -24,4 +24,4 @@ Reference reference_from(const Json& runs);
 // nudge has grown at the end of the case.
 Json predictability(const CaseInfo& info, const Case& scene);
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

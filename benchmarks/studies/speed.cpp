@@ -1,16 +1,16 @@
 // What scripts/rivals, scripts/track and scripts/scale have measured, put together for the page. Nothing is measured
 // here: times are taken by these alone, in turn with what they are compared with.
-#include "studies/speed.h"
+#include "benchmarks/studies/speed.h"
 
 #include <algorithm>
 #include <fstream>
 #include <map>
 #include <vector>
 
+#include "benchmarks/studies/studies.h"
 #include "output/files.h"
-#include "studies/catalogue.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 std::ifstream opened(const char* name, const char* made_by) {
@@ -151,4 +151,4 @@ Json speed(const Settings& /*settings*/) {
   return report.data({{"rivals", rivals}}).json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "studies/study.h"
+#include "report/study.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 
 inline const std::filesystem::path speed_results = "benchmarks/results";
 
@@ -26,4 +26,4 @@ std::string in_digits(double value, int digits);
 // Of least, middle and most: "1.6 [1.56, 1.72]".
 std::string spread(const Json& three);
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

@@ -3,9 +3,9 @@
 #include <map>
 #include <set>
 
-#include "studies/speed.h"
+#include "benchmarks/studies/speed.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 Json read_if_there(const std::string& name) {
@@ -277,4 +277,4 @@ void add_tracking(Report& report) {
       head, rows);
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

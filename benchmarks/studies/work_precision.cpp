@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <map>
 
-#include "studies/catalogue.h"
-#include "studies/ladder.h"
-#include "studies/linearise.h"
-#include "studies/precision_chart.h"
+#include "benchmarks/studies/ladder.h"
+#include "benchmarks/studies/precision_chart.h"
+#include "benchmarks/studies/studies.h"
+#include "report/linearise.h"
 
-namespace furrow::studies {
+namespace furrow::benchmarks {
 namespace {
 
 constexpr std::array<double, 3> targets{1e-2, 1e-4, 1e-6};
@@ -285,4 +286,4 @@ Json work_precision(const Settings& settings) {
   return report.data(std::move(data)).json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::benchmarks

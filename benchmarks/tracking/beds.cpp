@@ -2,14 +2,14 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "benchmarks/tracking/kernels.h"
 #include "output/files.h"
-#include "scene/packing.h"
-#include "scene/read.h"
 #include "run/prepare.h"
 #include "run/run.h"
-#include "tracking/kernels.h"
+#include "scene/packing.h"
+#include "scene/read.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ void make_beds(const fs::path& directory) {
   fall(directory / "falling", paper_scene("scenario_2"), 0.2);
 }
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -1,16 +1,16 @@
-#include "tracking/comparison.h"
+#include "benchmarks/tracking/comparison.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <thread>
 
-#include "measuring/samples.h"
+#include "benchmarks/measuring/samples.h"
 #include "output/machine.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
-using measuring::Interval;
+using benchmarks::Interval;
 
 constexpr int repetitions = 5;  // in one process; their least is the sample: noise only ever adds
 
@@ -39,7 +39,7 @@ Samples sample(const Build& build, const Build& base, const std::string& kernel,
 
 Json rounded(const std::vector<double>& values) {
   Json list = Json::array();
-  for (const double value : values) list.push_back(measuring::rounded(value));
+  for (const double value : values) list.push_back(benchmarks::rounded(value));
   return list;
 }
 
@@ -47,7 +47,7 @@ Json rounded(const std::vector<double>& values) {
 Json result_of(const std::string& name, const Samples& s, const Json& now, const Json& base) {
   const double calls = now.at("calls");
   const auto a_call = [&](const std::vector<double>& all) {
-    return measuring::rounded(1e9 * measuring::median_interval(all).middle / calls);
+    return benchmarks::rounded(1e9 * benchmarks::median_interval(all).middle / calls);
   };
   Json json{{"name", name + "_median"},
             {"run_name", name},
@@ -70,11 +70,11 @@ Json result_of(const std::string& name, const Samples& s, const Json& now, const
     json["verdict"] = "another answer";
     return json;
   }
-  const Interval ratio = measuring::median_interval(measuring::ratios(s.now, s.base));
-  const double noise = measuring::noise_floor(measuring::median_interval(measuring::ratios(s.again, s.base)));
+  const Interval ratio = benchmarks::median_interval(benchmarks::ratios(s.now, s.base));
+  const double noise = benchmarks::noise_floor(benchmarks::median_interval(benchmarks::ratios(s.again, s.base)));
   json["ratio"] = rounded({ratio.low, ratio.middle, ratio.high});
-  json["noise"] = measuring::rounded(noise);
-  json["verdict"] = measuring::verdict(ratio, noise);
+  json["noise"] = benchmarks::rounded(noise);
+  json["verdict"] = benchmarks::verdict(ratio, noise);
   return json;
 }
 
@@ -114,4 +114,4 @@ int compare(const Build& build, const Build& base, int rounds) {
   return same_answers ? 0 : 1;
 }
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -1,4 +1,4 @@
-#include "tracking/counts.h"
+#include "benchmarks/tracking/counts.h"
 
 #include <gnu/libc-version.h>
 
@@ -9,13 +9,12 @@
 #include <stdexcept>
 #include <thread>
 
-#include "measuring/process.h"
+#include "report/measured_process.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
-using measuring::run_well;
 
 // The line "totals: N" (callgrind writes "summary:" too, but not in every version).
 long instructions_in(const fs::path& file) {
@@ -36,29 +35,31 @@ bool machine_has(const std::string& feature) {
 
 }  // namespace
 
-void make_beds(const Build& build) { run_well({.words = {build.program, "beds", build.beds}}); }
+void make_beds(const Build& build) { run_measured_well({.words = {build.program, "beds", build.beds}}); }
 
 std::vector<std::string> kernel_names(const Build& build) {
-  std::istringstream lines(run_well({.words = {build.program, "list"}}).output);
+  std::istringstream lines(run_measured_well({.words = {build.program, "list"}}).output);
   std::vector<std::string> names;
   for (std::string line; std::getline(lines, line);) names.push_back(line.substr(0, line.find(' ')));
   return names;
 }
 
 Json timed(const Build& build, const std::string& kernel, int repetitions) {
-  return Json::parse(run_well({.words = {build.program, "run", kernel, build.beds, std::to_string(repetitions)},
-                               .errors = build.beds / "errors.txt"})
-                         .output);
+  return Json::parse(
+      run_measured_well({.words = {build.program, "run", kernel, build.beds, std::to_string(repetitions)},
+                         .errors = build.beds / "errors.txt"})
+          .output);
 }
 
 Json counted(const Build& build, const std::string& kernel) {
   const fs::path file = build.beds / (kernel + ".callgrind");
   const std::string out = "--callgrind-out-file=" + file.string();
-  Json said = Json::parse(run_well({.words = {"valgrind", "--quiet", "--tool=callgrind", "--toggle-collect=measured",
-                                              "--compress-strings=no", "--compress-pos=no", out, build.program, "run",
-                                              kernel, build.beds, "0"},
-                                    .errors = build.beds / "errors.txt"})
-                              .output);
+  Json said =
+      Json::parse(run_measured_well({.words = {"valgrind", "--quiet", "--tool=callgrind", "--toggle-collect=measured",
+                                               "--compress-strings=no", "--compress-pos=no", out, build.program, "run",
+                                               kernel, build.beds, "0"},
+                                     .errors = build.beds / "errors.txt"})
+                      .output);
   said["instructions"] = instructions_in(file);
   return said;
 }
@@ -81,10 +82,10 @@ Json counted(const Build& build, const std::vector<std::string>& names) {
 
 std::string identity(const Json& said) {
   const std::string width = machine_has("avx2") ? "AVX2" : "no AVX2";  // valgrind 3.19 knows none beyond
-  std::string valgrind = run_well({.words = {"valgrind", "--version"}}).output;
+  std::string valgrind = run_measured_well({.words = {"valgrind", "--version"}}).output;
   valgrind.erase(valgrind.find_last_not_of('\n') + 1);
   return said.at("compiler").get<std::string>() + " " + said.at("flags").get<std::string>() + ", glibc " +
          gnu_get_libc_version() + ", " + valgrind + ", " + width;
 }
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 
 using Json = nlohmann::ordered_json;
 
@@ -31,4 +31,4 @@ Json counted(const Build& build, const std::vector<std::string>& names);
 // What else the counts depend on: compiler, flags, C library, valgrind, vector width.
 std::string identity(const Json& said_by_kernel);
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -1,4 +1,4 @@
-#include "tracking/gate.h"
+#include "benchmarks/tracking/gate.h"
 
 #include <cmath>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include "output/build_info.h"
 #include "output/files.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ int accept(const fs::path& file, const Build& build, const std::string& reason) 
   return good;
 }
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "tracking/counts.h"
+#include "benchmarks/tracking/counts.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 
 constexpr int good = 0, failed = 1;
 
@@ -20,4 +20,4 @@ int check_counts(const Json& accepted, const Json& results);
 int gate(const std::filesystem::path& accepted, const Build& build);
 int accept(const std::filesystem::path& accepted, const Build& build, const std::string& reason);
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -1,4 +1,4 @@
-#include "tracking/kernels.h"
+#include "benchmarks/tracking/kernels.h"
 
 #include <algorithm>
 #include <bit>
@@ -11,11 +11,11 @@
 
 #include "methods/method.h"
 #include "output/run_files.h"
-#include "scene/read.h"
 #include "run/observe.h"
 #include "run/run.h"
+#include "scene/read.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -226,4 +226,4 @@ const std::vector<Kernel>& kernels() {
   return all;
 }
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

@@ -10,7 +10,7 @@
 
 #include "scene/scene.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 
 // One kernel made ready.
 struct Work {
@@ -41,4 +41,4 @@ Scene paper_scene(const std::string& name);
 // touch each other, with twice the overlap. The last wall must be the right one, the left one at x = 0.
 Scene repeated(const Scene& scene, int copies);
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

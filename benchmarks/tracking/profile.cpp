@@ -1,4 +1,4 @@
-#include "tracking/profile.h"
+#include "benchmarks/tracking/profile.h"
 
 #include <cmath>
 #include <cstdio>
@@ -12,7 +12,7 @@
 
 #include "output/files.h"
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -179,4 +179,4 @@ int profile(const Build& build, const fs::path& result) {
   return 0;
 }
 
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

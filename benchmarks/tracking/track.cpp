@@ -13,20 +13,20 @@
 #include <string>
 #include <vector>
 
-#include "tracking/comparison.h"
-#include "tracking/gate.h"
-#include "tracking/profile.h"
+#include "benchmarks/tracking/comparison.h"
+#include "benchmarks/tracking/gate.h"
+#include "benchmarks/tracking/profile.h"
 
 int main(int argc, char** argv) {
-  namespace tracking = furrow::tracking;
+  namespace benchmarks = furrow::benchmarks;
   const std::vector<std::string> words(argv + 1, argv + argc);
   const std::size_t count = words.size();
   try {
-    if (count == 4 && words[0] == "gate") return tracking::gate(words[1], {words[2], words[3]});
-    if (count == 5 && words[0] == "accept") return tracking::accept(words[1], {words[2], words[3]}, words[4]);
-    if (count == 4 && words[0] == "profile") return tracking::profile({words[2], words[3]}, words[1]);
+    if (count == 4 && words[0] == "gate") return benchmarks::gate(words[1], {words[2], words[3]});
+    if (count == 5 && words[0] == "accept") return benchmarks::accept(words[1], {words[2], words[3]}, words[4]);
+    if (count == 4 && words[0] == "profile") return benchmarks::profile({words[2], words[3]}, words[1]);
     if (count == 5 && words[0] == "compare")
-      return tracking::compare({words[1], words[3]}, {words[2], words[3]}, std::stoi(words[4]));
+      return benchmarks::compare({words[1], words[3]}, {words[2], words[3]}, std::stoi(words[4]));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "track: %s\n", error.what());
     return 4;

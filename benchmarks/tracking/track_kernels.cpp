@@ -15,17 +15,17 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/tracking/kernels.h"
 #include "output/build_info.h"
 #include "output/machine.h"
-#include "tracking/kernels.h"
 
 // For callgrind's --toggle-collect: a name as it stands, never inlined.
 extern "C" [[gnu::noinline]] void measured(const std::function<void(long)>& work, long calls) { work(calls); }
 
 namespace {
 
-using furrow::tracking::Kernel;
-using furrow::tracking::Work;
+using furrow::benchmarks::Kernel;
+using furrow::benchmarks::Work;
 using Json = nlohmann::ordered_json;
 
 std::string hexadecimal(std::uint64_t value) {
@@ -35,7 +35,7 @@ std::string hexadecimal(std::uint64_t value) {
 }
 
 const Kernel& kernel_of(const std::string& name) {
-  for (const auto* all : {&furrow::tracking::kernels(), &furrow::tracking::whole_scenes()}) {
+  for (const auto* all : {&furrow::benchmarks::kernels(), &furrow::benchmarks::whole_scenes()}) {
     for (const Kernel& kernel : *all) {
       if (kernel.name == name) return kernel;
     }
@@ -81,9 +81,9 @@ int usage() {
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   try {
-    if (words.size() == 2 && words[0] == "beds") return furrow::tracking::make_beds(words[1]), 0;
+    if (words.size() == 2 && words[0] == "beds") return furrow::benchmarks::make_beds(words[1]), 0;
     if (words.size() == 1 && words[0] == "list") {
-      for (const Kernel& k : furrow::tracking::kernels()) std::printf("%-20s %s\n", k.name.c_str(), k.what.c_str());
+      for (const Kernel& k : furrow::benchmarks::kernels()) std::printf("%-20s %s\n", k.name.c_str(), k.what.c_str());
       return 0;
     }
     if (words.size() < 3 || words.size() > 4 || words[0] != "run") return usage();

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "output/run_files.h"
+#include "program/exit_code.h"
+#include "program/progress.h"
 #include "scene/scene.h"
 
 namespace furrow {
-
-enum ExitCode { good = 0, check_failed = 1, bad_input = 2, diverged = 3, io_failed = 4, interrupted = 130 };
 
 struct RunOptions {
   std::string scene;
@@ -27,36 +28,10 @@ std::vector<std::string> checked_warnings(const std::string& scene);
 int check_command(const std::vector<std::string>& scenes);
 
 int run_command(const RunOptions& options);
+
+// A run with all its files, as `run` makes it, shown on the progress.
+RunOutcome run_one(const RunOptions& options, Progress& progress);
+int exit_code_of(const RunOutcome& outcome);
 int explain_command(const RunOptions& options);
-
-struct StabilityOptions {
-  std::string scene;
-  std::vector<std::string> methods;  // none: all that step by themselves
-  double at = 0;                     // s
-};
-int stability_command(const StabilityOptions& options);
-
-struct ReportOptions {
-  std::string directory = "report";
-  std::string scenes = "validation/scenes";
-  bool reuse = false;
-  std::string checks, faults, studies;  // what verification left, shown on the page; see Evidence
-};
-int report_command(const ReportOptions& options);
-
-struct StudyOptions {
-  std::string name;  // empty: list the studies
-  std::string directory = "studies";
-  bool quick = false;
-  unsigned jobs = 0;  // 0: as many as there are processors
-  bool few = false;   // of the ensemble: a few packings, compared with the kept result in `directory`
-};
-int study_command(const StudyOptions& options);
-
-struct GoldenRequest {
-  std::string directory = "reference_data/golden", reason;
-  bool quick = false, remake = false;
-};
-int golden_command(const GoldenRequest& request);
 
 }  // namespace furrow

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "methods/method.h"
-#include "page/seal.h"
 #include "program.h"
+#include "report/seal.h"
 
 namespace {
 

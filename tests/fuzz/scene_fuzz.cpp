@@ -9,10 +9,10 @@
 #include <string>
 
 #include "methods/method.h"
-#include "scene/read.h"
 #include "run/observe.h"
 #include "run/prepare.h"
 #include "run/run.h"
+#include "scene/read.h"
 
 namespace furrow {
 namespace {

@@ -1,5 +1,5 @@
 // Expected numbers are put into the files by hand.
-#include "page/observables.h"
+#include "validation/page/observables.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,11 @@
 #include <stdexcept>
 
 #include "output/first_touch.h"
-#include "page/embedded.h"
+#include "report/embedded.h"
 #include "run_directory.h"
 
 namespace furrow {
+using namespace validation;
 namespace {
 
 using test::RunDirectory;

@@ -7,9 +7,10 @@
 #include <iterator>
 
 #include "output/files.h"
-#include "page/table.h"
+#include "validation/page/table.h"
 
 namespace furrow {
+using namespace validation;
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "page/report.h"
+#include "validation/page/report.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,11 @@
 #include <regex>
 #include <stdexcept>
 
-#include "page/gnuplot.h"
 #include "run_directory.h"
+#include "validation/page/gnuplot.h"
 
 namespace furrow {
+using namespace validation;
 namespace {
 
 using test::RunDirectory;

@@ -1,11 +1,12 @@
 // Snapshots made by hand: few discs and links, numbers that can be added up in the head.
-#include "page/snapshot_observables.h"
+#include "validation/page/snapshot_observables.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace furrow {
+using namespace validation;
 namespace {
 
 struct DiscRow {

@@ -1,13 +1,13 @@
-#include "page/evidence.h"
+#include "validation/page/evidence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "output/files.h"
-#include "page/seal.h"
+#include "report/seal.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ std::vector<std::string> missing_evidence(const Evidence& evidence) {
   return all;
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

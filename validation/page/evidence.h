@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace furrow {
+namespace furrow::validation {
 
 // Where the results are. A path that is empty was not asked for; the page says that it has none.
 struct Evidence {
@@ -29,4 +29,4 @@ std::string unusable_faults(const std::filesystem::path& file);
 // failed. Empty: the page has all that it should have.
 std::vector<std::string> missing_evidence(const Evidence& evidence);
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -1,4 +1,4 @@
-#include "page/faults.h"
+#include "validation/page/faults.h"
 
 #include <algorithm>
 #include <map>
@@ -6,10 +6,10 @@
 #include <set>
 #include <vector>
 
-#include "page/gnuplot.h"
-#include "page/html.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/html.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 using nlohmann::ordered_json;
@@ -141,4 +141,4 @@ std::string faults_part(const ordered_json& study) {
   return html;
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -4,9 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-namespace furrow {
+namespace furrow::validation {
 
 // `study` is faults.json, see verification/fault_study.
 std::string faults_part(const nlohmann::ordered_json& study);
 
-}  // namespace furrow
+}  // namespace furrow::validation

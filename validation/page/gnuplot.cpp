@@ -1,4 +1,4 @@
-#include "page/gnuplot.h"
+#include "validation/page/gnuplot.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -6,7 +6,7 @@
 #include "output/child.h"
 #include "output/files.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
@@ -77,4 +77,4 @@ std::string escaped(std::string_view text) {
   return replaced(std::move(safe), "\"", "&quot;");
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

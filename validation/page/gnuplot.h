@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace furrow {
+namespace furrow::validation {
 
 // What goes before the script: variables, and data as named blocks.
 class PlotInput {
@@ -36,4 +36,4 @@ std::string draw(const PlotInput& input, std::string_view script, Drawings& draw
 // Text as it may stand in HTML, also between quotes.
 std::string escaped(std::string_view text);
 
-}  // namespace furrow
+}  // namespace furrow::validation

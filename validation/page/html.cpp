@@ -1,10 +1,10 @@
-#include "page/html.h"
+#include "validation/page/html.h"
 
 #include <regex>
 #include <utility>
 #include <vector>
 
-namespace furrow {
+namespace furrow::validation {
 
 std::string typeset(std::string html) {
   static const std::vector<std::pair<std::regex, const char*>> rules{
@@ -21,4 +21,4 @@ std::string typeset(std::string html) {
   return html;
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

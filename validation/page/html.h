@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace furrow {
+namespace furrow::validation {
 
 inline const std::string missing = "<span class=\"missing\">missing</span>";
 
@@ -46,4 +46,4 @@ inline std::string figure(const std::string& content, const std::string& caption
   return element("figure", content + element("figcaption", caption));
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

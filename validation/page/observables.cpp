@@ -1,12 +1,12 @@
-#include "page/observables.h"
+#include "validation/page/observables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "page/snapshot_observables.h"
+#include "validation/page/snapshot_observables.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 using Window = std::array<double, 2>;  // mm
@@ -221,4 +221,4 @@ bool half_fixed(const Parts& lattices, int link) {
   return (lattices.node.body[lattices.link.a[link]] < 0) != (lattices.node.body[lattices.link.b[link]] < 0);
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

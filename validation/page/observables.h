@@ -1,9 +1,9 @@
 // The numbers that the paper reports, computed from the files of a run.
 #pragma once
 
-#include "page/run_record.h"
+#include "validation/page/run_record.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // A number, or words where a number will not do. NaN without words: the run does not say.
 struct Measured {
@@ -21,4 +21,4 @@ std::vector<std::array<double, 2>> maxima(const ForceCurve& curve, double length
 // Whether one end of the link, and only one, is fixed.
 bool half_fixed(const Parts& lattices, int link);
 
-}  // namespace furrow
+}  // namespace furrow::validation

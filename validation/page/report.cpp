@@ -1,21 +1,21 @@
-#include "page/report.h"
+#include "validation/page/report.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "output/files.h"
-#include "page/embedded.h"
-#include "page/gnuplot.h"
-#include "page/html.h"
-#include "page/observables.h"
-#include "page/scene_section.h"
-#include "page/studies.h"
-#include "page/template.h"
-#include "page/validity_part.h"
-#include "page/verification.h"
+#include "report/embedded.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/html.h"
+#include "validation/page/observables.h"
+#include "validation/page/scene_section.h"
+#include "validation/page/studies.h"
+#include "validation/page/template.h"
+#include "validation/page/validity_part.h"
+#include "validation/page/verification.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 // run.json of all runs, one row a fact; what all runs share fills one cell.
@@ -127,4 +127,4 @@ void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& rep
   }
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

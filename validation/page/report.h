@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "output/owned_directory.h"
-#include "page/verification.h"
+#include "validation/page/verification.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 struct ReportedRun {
   std::string name;                 // "scenario_1" ...: the scene as validation/statements.toml calls it
@@ -23,4 +23,4 @@ std::vector<std::string> page_files();
 // nothing is written.
 void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& runs, const Evidence& evidence = {});
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -1,4 +1,4 @@
-#include "page/run_record.h"
+#include "validation/page/run_record.h"
 
 #ifndef TOML_HEADER_ONLY
 #define TOML_HEADER_ONLY 0
@@ -16,7 +16,7 @@
 #include "scene/labels.h"
 #include "scene/read.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -238,4 +238,4 @@ Publication read_publication(std::string_view text) {
   }
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

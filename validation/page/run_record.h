@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "page/table.h"
 #include "scene/scene.h"
 #include "system/parts.h"
+#include "validation/page/table.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // Force on the first plate. Resistance is positive: fx is minus the force on the plate.
 struct ForceCurve {
@@ -94,4 +94,4 @@ struct Publication {
 // Throws std::runtime_error that says what is wrong with the TOML text.
 Publication read_publication(std::string_view toml);
 
-}  // namespace furrow
+}  // namespace furrow::validation

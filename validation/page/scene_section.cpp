@@ -1,4 +1,4 @@
-#include "page/scene_section.h"
+#include "validation/page/scene_section.h"
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "output/files.h"
-#include "page/gnuplot.h"
-#include "page/html.h"
-#include "page/observables.h"
-#include "page/snapshots.h"
-#include "page/template.h"
-#include "page/validity_part.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/html.h"
+#include "validation/page/observables.h"
+#include "validation/page/snapshots.h"
+#include "validation/page/template.h"
+#include "validation/page/validity_part.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 double travel(const RunRecord& run) { return plate_speed(run) * run.scene.time.end; }  // mm
@@ -200,4 +200,4 @@ std::string scene_section(const RunRecord& run, const Publication& paper, Drawin
   return SceneSection(run, paper, drawings).html();
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

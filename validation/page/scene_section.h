@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "page/gnuplot.h"
-#include "page/run_record.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/run_record.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // HTML; the figures go to `drawings`.
 std::string scene_section(const RunRecord& run, const Publication& paper, Drawings& drawings);
@@ -14,4 +14,4 @@ std::string scene_section(const RunRecord& run, const Publication& paper, Drawin
 // An entry of run.json as HTML.
 std::string fact_shown(const RunRecord& run, const std::string& key);
 
-}  // namespace furrow
+}  // namespace furrow::validation

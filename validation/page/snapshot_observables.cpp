@@ -1,11 +1,11 @@
-#include "page/snapshot_observables.h"
+#include "validation/page/snapshot_observables.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -120,4 +120,4 @@ std::optional<Measured> measure_snapshots(const RunRecord& run, const std::strin
   return Measured{found->second(run.frames[0], run.frames[1], run.frames.back())};
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -1,9 +1,9 @@
 // What the paper says of its pictures, computed from the snapshots of a run.
 #pragma once
 
-#include "page/observables.h"
+#include "validation/page/observables.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // Empty if it is not an observable of snapshots. All compare the last snapshot with the first, or look at one of them:
 //   pile_up            mm, how much the highest disc has risen
@@ -16,4 +16,4 @@ namespace furrow {
 //   lower_part_moved   mm, how far the leftmost end of a link has moved
 std::optional<Measured> measure_snapshots(const RunRecord& run, const std::string& observable);
 
-}  // namespace furrow
+}  // namespace furrow::validation

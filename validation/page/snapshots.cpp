@@ -1,13 +1,13 @@
-#include "page/snapshots.h"
+#include "validation/page/snapshots.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "page/html.h"
-#include "page/template.h"
+#include "validation/page/html.h"
+#include "validation/page/template.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 class Snapshots {
@@ -139,4 +139,4 @@ class Snapshots {
 
 std::string snapshots(const RunRecord& run, Drawings& drawings) { return Snapshots(run, drawings).html(); }
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "page/gnuplot.h"
-#include "page/run_record.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/run_record.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // HTML: a picture for each frame, true to scale and with colour scales that they share. The figures go to `drawings`.
 std::string snapshots(const RunRecord& run, Drawings& drawings);
 
-}  // namespace furrow
+}  // namespace furrow::validation

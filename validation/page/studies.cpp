@@ -1,4 +1,4 @@
-#include "page/studies.h"
+#include "validation/page/studies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "output/build_info.h"
-#include "page/embedded.h"
-#include "page/evidence.h"
-#include "page/gnuplot.h"
-#include "page/html.h"
-#include "page/seal.h"
+#include "report/embedded.h"
+#include "report/seal.h"
+#include "validation/page/evidence.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/html.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ std::string study_sections(const fs::path& directory, StudyPlace place, Drawings
   return sections;
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "page/gnuplot.h"
+#include "validation/page/gnuplot.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 enum class StudyPlace { before_scenes, after_scenes };
 
@@ -15,4 +15,4 @@ enum class StudyPlace { before_scenes, after_scenes };
 std::string study_contents(const std::filesystem::path& directory, StudyPlace place);
 std::string study_sections(const std::filesystem::path& directory, StudyPlace place, Drawings& drawings);
 
-}  // namespace furrow
+}  // namespace furrow::validation

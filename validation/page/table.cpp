@@ -1,4 +1,4 @@
-#include "page/table.h"
+#include "validation/page/table.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 
 #include "output/files.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 // A file that was cut within its last line could hold half a number.
@@ -96,4 +96,4 @@ std::vector<double> Table::numbers(std::string_view column) const {
   return values;
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

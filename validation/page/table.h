@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace furrow {
+namespace furrow::validation {
 
 // `file`, or `file`.partial, as an interrupted run leaves it.
 std::filesystem::path run_path(const std::filesystem::path& file);
@@ -30,4 +30,4 @@ class Table {
   std::vector<std::vector<std::string>> columns_;
 };
 
-}  // namespace furrow
+}  // namespace furrow::validation

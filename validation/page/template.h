@@ -4,10 +4,10 @@
 #include <map>
 #include <string>
 
-#include "page/embedded.h"
-#include "page/gnuplot.h"
+#include "report/embedded.h"
+#include "validation/page/gnuplot.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 inline std::string figure_file(const std::string& name) { return std::string(embedded("validation/figures/" + name)); }
 
@@ -29,4 +29,4 @@ inline std::string filled(const std::string& page, const std::map<std::string, s
   }
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

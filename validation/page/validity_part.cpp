@@ -1,14 +1,14 @@
-#include "page/validity_part.h"
+#include "validation/page/validity_part.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "page/gnuplot.h"
-#include "page/html.h"
-#include "page/template.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/html.h"
+#include "validation/page/template.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 std::string in_words(const std::string& name) {
@@ -83,4 +83,4 @@ std::string validity_table(const std::vector<RunRecord>& runs) {
   return table;
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "page/run_record.h"
+#include "validation/page/run_record.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // A table as HTML.
 std::string validity_part(const RunRecord& run);
@@ -14,4 +14,4 @@ std::string validity_part(const RunRecord& run);
 // A table of all runs, in Markdown.
 std::string validity_table(const std::vector<RunRecord>& runs);
 
-}  // namespace furrow
+}  // namespace furrow::validation

@@ -1,4 +1,4 @@
-#include "page/verification.h"
+#include "validation/page/verification.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,12 +6,12 @@
 #include <set>
 #include <vector>
 
-#include "page/faults.h"
-#include "page/gnuplot.h"
-#include "page/html.h"
-#include "page/seal.h"
+#include "report/seal.h"
+#include "validation/page/faults.h"
+#include "validation/page/gnuplot.h"
+#include "validation/page/html.h"
 
-namespace furrow {
+namespace furrow::validation {
 namespace {
 
 using nlohmann::ordered_json;
@@ -100,4 +100,4 @@ std::string verification_section(const Evidence& evidence) {
                : faults_part(read_sealed(evidence.faults)));
 }
 
-}  // namespace furrow
+}  // namespace furrow::validation

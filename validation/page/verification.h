@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "page/evidence.h"
+#include "validation/page/evidence.h"
 
-namespace furrow {
+namespace furrow::validation {
 
 // HTML. A file that is not there or cannot be used makes a sentence that says so.
 std::string verification_section(const Evidence& evidence);
@@ -13,4 +13,4 @@ std::string verification_section(const Evidence& evidence);
 // 0 if there are no checks to read.
 std::size_t failed_checks(const Evidence& evidence);
 
-}  // namespace furrow
+}  // namespace furrow::validation

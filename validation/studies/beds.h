@@ -5,10 +5,10 @@
 #include <memory>
 #include <mutex>
 
-#include "studies/study.h"
+#include "report/study.h"
 #include "run/prepare.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 enum class Reading { disc, sphere };
 inline std::string to_string(Reading reading) { return reading == Reading::disc ? "disc" : "sphere"; }
@@ -49,4 +49,4 @@ class Beds {
   std::map<std::pair<std::string, Reading>, std::unique_ptr<Bed>> beds_;
 };
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -6,11 +6,11 @@
 #include <map>
 
 #include "output/files.h"
-#include "studies/beds.h"
-#include "studies/catalogue.h"
-#include "studies/observed_run.h"
+#include "validation/studies/beds.h"
+#include "validation/studies/observed_run.h"
+#include "validation/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 constexpr double papers_step = 1e-4;  // s
@@ -285,4 +285,4 @@ Json convergence(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

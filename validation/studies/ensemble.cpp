@@ -5,11 +5,11 @@
 #include <map>
 
 #include "scene/read.h"
-#include "studies/catalogue.h"
-#include "studies/few_members.h"
-#include "studies/observed_run.h"
+#include "validation/studies/few_members.h"
+#include "validation/studies/observed_run.h"
+#include "validation/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 constexpr int draws = 20000;
@@ -151,4 +151,4 @@ Json ensemble(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,13 +1,13 @@
-#include "studies/few_members.h"
+#include "validation/studies/few_members.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <random>
 
-#include "studies/kept_ensemble.h"
+#include "validation/studies/kept_ensemble.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 Norm norm_of(const std::vector<Json>& ensemble) {
   Norm norm;
@@ -95,4 +95,4 @@ bool check_few(const Settings& settings, const std::function<void(const std::str
   return alike;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -2,9 +2,9 @@
 // move bits on purpose, so that the golden outputs cannot judge them.
 #pragma once
 
-#include "studies/members.h"
+#include "validation/studies/members.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 inline constexpr int few = 5;           // members that are run
 inline constexpr double few_limit = 4;  // standard errors that the mean of a few may lie from the ensemble's
@@ -39,4 +39,4 @@ double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws)
 // kept_ensemble), Interrupted.
 bool check_few(const Settings& settings, const std::function<void(const std::string&)>& say);
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -7,10 +7,10 @@
 #include <limits>
 #include <random>
 
-#include "studies/catalogue.h"
-#include "studies/observed_run.h"
+#include "validation/studies/observed_run.h"
+#include "validation/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 constexpr int lattice_rows = 10;
@@ -246,4 +246,4 @@ Json geometry(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,4 +1,4 @@
-#include "studies/golden.h"
+#include "validation/studies/golden.h"
 
 #include <array>
 #include <cinttypes>
@@ -8,15 +8,15 @@
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/kept_result.h"
-#include "page/seal.h"
-#include "scene/read.h"
-#include "studies/beds.h"
-#include "studies/golden_compare.h"
-#include "studies/study.h"
+#include "report/seal.h"
+#include "report/study.h"
 #include "run/observe.h"
 #include "run/run.h"
+#include "scene/read.h"
+#include "validation/studies/beds.h"
+#include "validation/studies/golden_compare.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +168,4 @@ int check_goldens(const GoldenOptions& options) {
   return different;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

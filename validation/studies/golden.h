@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 struct GoldenOptions {
   std::filesystem::path directory = "reference_data/golden";
@@ -24,4 +24,4 @@ struct GoldenOptions {
 // FileError if there is no directory of goldens.
 int check_goldens(const GoldenOptions& options);
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,4 +1,4 @@
-#include "studies/golden_compare.h"
+#include "validation/studies/golden_compare.h"
 
 #include <array>
 #include <bit>
@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "output/files.h"
-#include "page/seal.h"
+#include "report/seal.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 constexpr double slack = 1e-9;  // s: times are sums of steps
@@ -255,4 +255,4 @@ Comparison compare_golden(const Json& now, const Json& golden, Extent extent) {
   return {true, what_was(n, golden, extent)};
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

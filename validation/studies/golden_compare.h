@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "studies/study.h"
+#include "report/study.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 inline constexpr int golden_format = 2;           // checkpoints with energies, and the text of the scene
 inline constexpr double golden_row_every = 0.05;  // s, between rows of the force curve
@@ -27,4 +27,4 @@ std::string malformed_golden(const Json& golden);
 // and positions at the end. Of a shorter run the rows up to its end, and a golden row that it lacks is a difference.
 Comparison compare_golden(const Json& now, const Json& golden, Extent extent);
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,12 +1,12 @@
-#include "studies/kept_ensemble.h"
+#include "validation/studies/kept_ensemble.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "output/files.h"
-#include "page/seal.h"
+#include "report/seal.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 std::map<std::string, std::vector<Member>> members_by_group() {
@@ -92,4 +92,4 @@ Groups kept_ensemble(const std::filesystem::path& directory, const std::vector<s
   return taken;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "studies/members.h"
+#include "validation/studies/members.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 using Groups = std::map<std::string, std::vector<Json>>;  // "scenario_2 disc": its members, by seed
 
@@ -25,4 +25,4 @@ std::string other_member(const std::string& group, const Json& kept_first);
 // by another scene or model.
 Groups kept_ensemble(const std::filesystem::path& directory, const std::vector<std::string>& groups = {});
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,13 +1,13 @@
-#include "studies/members.h"
+#include "validation/studies/members.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "output/files.h"
-#include "studies/observed_run.h"
+#include "validation/studies/observed_run.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 Json observed(const Scene& made, const std::string& scene) {
   Prepared prepared = prepare(made);
@@ -100,4 +100,4 @@ std::string three_digits(double value) {
   return number(std::strtod(text, nullptr));
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "studies/beds.h"
-#include "studies/study.h"
+#include "report/study.h"
+#include "validation/studies/beds.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 // The named observables of one run of a made scene: those of the paper's statements about `scene` ("scenario_2"), and
 // mean_force [N] and surface [m], the height of the settled bed. Numbers, or words where a run says no number. Of a run
@@ -44,4 +44,4 @@ Sample sample_of(const std::string& observable, const std::vector<Json>& members
 // Rounded to three digits, for tables.
 std::string three_digits(double value);
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,15 +1,15 @@
-#include "studies/observed_run.h"
+#include "validation/studies/observed_run.h"
 
 #include <array>
 #include <cmath>
 
 #include "output/first_touch.h"
-#include "page/embedded.h"
 #include "physics/stress.h"
+#include "report/embedded.h"
 #include "run/observe.h"
 #include "run/run.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 Frame frame_of(const System& system, double t, const State& y) {
@@ -92,4 +92,4 @@ const Publication& the_paper() {
   return paper;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -1,10 +1,10 @@
 // A scene run without files, as the record that the page's observables are computed from.
 #pragma once
 
-#include "page/observables.h"
 #include "run/prepare.h"
+#include "validation/page/observables.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 
 // From a scene made ready to scene.time.end, by scene.time's method and step; the force every scene.output.interval.
 // A run that diverges keeps what it has: fact "ended" is then "diverged", fact "reason" says why.
@@ -21,4 +21,4 @@ std::vector<Reported> reported(const RunRecord& run, const Publication& paper, c
 // validation/statements.toml.
 const Publication& the_paper();
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "studies/catalogue.h"
-#include "studies/members.h"
+#include "validation/studies/members.h"
+#include "validation/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 constexpr double students_t = 2.2;  // 97.5 % quantile, 11 degrees of freedom
@@ -192,4 +192,4 @@ Json outlook(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

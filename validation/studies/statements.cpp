@@ -5,11 +5,11 @@
 #include <map>
 
 #include "output/files.h"
-#include "studies/catalogue.h"
-#include "studies/kept_ensemble.h"
-#include "studies/observed_run.h"
+#include "validation/studies/kept_ensemble.h"
+#include "validation/studies/observed_run.h"
+#include "validation/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::validation {
 namespace {
 
 // ---- the verdict on a statement ----
@@ -278,4 +278,4 @@ Json statements(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::validation

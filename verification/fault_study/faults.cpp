@@ -1,4 +1,4 @@
-#include "fault_study/faults.h"
+#include "verification/fault_study/faults.h"
 
 #include <toml++/toml.h>
 

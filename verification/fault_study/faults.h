@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fault_study/workshop.h"
+#include "verification/fault_study/workshop.h"
 
 namespace furrow::verification {
 

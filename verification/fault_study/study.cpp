@@ -22,10 +22,10 @@
 #include <regex>
 #include <thread>
 
-#include "fault_study/faults.h"
-#include "measuring/process.h"
 #include "output/files.h"
-#include "page/seal.h"
+#include "report/measured_process.h"
+#include "report/seal.h"
+#include "verification/fault_study/faults.h"
 
 namespace furrow::verification {
 namespace {
@@ -42,7 +42,7 @@ struct Options {
 };
 
 std::string commit_of(const fs::path& tree) {
-  const measuring::Ran git = measuring::run({.words = {"git", "-C", tree, "describe", "--always", "--dirty"}});
+  const MeasuredEnd git = run_measured({.words = {"git", "-C", tree, "describe", "--always", "--dirty"}});
   const std::string commit = git.output.substr(0, git.output.find('\n'));
   return git.status != 0 || commit.empty() ? "unknown" : commit;
 }

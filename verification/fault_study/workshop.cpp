@@ -1,4 +1,4 @@
-#include "fault_study/workshop.h"
+#include "verification/fault_study/workshop.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "measuring/process.h"
+#include "report/measured_process.h"
 
 namespace furrow::verification {
 namespace {
@@ -23,16 +23,16 @@ void write_all(const fs::path& file, const std::string& text, std::ios::openmode
 }
 
 // Whether the program ends well; what it says goes into `log`. No shell reads the names.
-bool succeeds(measuring::Command command, const fs::path& log) {
+bool succeeds(MeasuredCommand command, const fs::path& log) {
   fs::remove(log);
   command.errors = log;
-  const measuring::Ran ran = measuring::run(command);
+  const MeasuredEnd ran = run_measured(command);
   write_all(log, ran.output, std::ios::app);
   return ran.status == 0;
 }
 
 bool can_start(const std::string& program) try {
-  return measuring::run({.words = {program, "--version"}}).status == 0;
+  return run_measured({.words = {program, "--version"}}).status == 0;
 } catch (const std::runtime_error&) {
   return false;
 }
@@ -43,7 +43,7 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 void copy_tree(const fs::path& from, const fs::path& to) {
-  for (const char* part : {"src", "cmake", "tests/determinism", "verification", "CMakeLists.txt"}) {
+  for (const char* part : {"src", "cmake", "tests/determinism", "tests/studies", "verification", "CMakeLists.txt"}) {
     if (!fs::is_directory(from / part)) {
       write(to / part, text_of(from / part));
       continue;
@@ -128,10 +128,9 @@ Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs,
 
 void Workshop::configure() {
   const fs::path log = home_ / "configure.log";
-  measuring::Command cmake{.words = {"cmake", "-S", places_.tree / "verification/fault_study", "-B", home_ / "build",
-                                     "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTREE=" + (home_ / "tree").string(),
-                                     "-DSOURCE_DIR=" + places_.tree.string(),
-                                     "-DBUILD=" + places_.sound_build.string()}};
+  MeasuredCommand cmake{.words = {"cmake", "-S", places_.tree / "verification/fault_study", "-B", home_ / "build", "-G",
+                                  "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTREE=" + (home_ / "tree").string(),
+                                  "-DSOURCE_DIR=" + places_.tree.string(), "-DBUILD=" + places_.sound_build.string()}};
   if (can_start("ccache")) cmake.words.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
   if (!succeeds(cmake, log)) {
     throw std::runtime_error("the copy cannot be configured, see " + log.string());
@@ -158,7 +157,7 @@ void Workshop::put(const Change& change) {
 void Workshop::build() {
   if (!configured_) configure();
   const fs::path log = home_ / "build.log";
-  const measuring::Command cmake{
+  const MeasuredCommand cmake{
       .words = {"cmake", "--build", home_ / "build", "--target", target_, "-j", std::to_string(jobs_)},
       .environment = {"CCACHE_NOHASHDIR=1", "CCACHE_BASEDIR=" + home_.string()}};
   if (!succeeds(cmake, log)) {

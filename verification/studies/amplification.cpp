@@ -1,10 +1,10 @@
-#include "studies/amplification.h"
+#include "verification/studies/amplification.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <map>
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 using Memory = std::vector<Matrix>;
@@ -225,4 +225,4 @@ double largest_stable_radius(const Scheme& scheme, std::complex<double> directio
   return first_growth(grows, most);
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 using Matrix = Eigen::MatrixXcd;
 
@@ -55,4 +55,4 @@ double largest_stable_angle(const Scheme& scheme, double zeta, double most = 100
 double largest_stable_radius(const Scheme& scheme, std::complex<double> direction, double growth = growth_seen,
                              double most = 100);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,14 +1,14 @@
-#include "studies/atlas.h"
+#include "verification/studies/atlas.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "methods/method.h"
 #include "scene/wording.h"
-#include "studies/amplification.h"
-#include "studies/blow_up.h"
+#include "verification/studies/amplification.h"
+#include "verification/studies/blow_up.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr double undamped_at = 0.002;  // where a logarithmic axis shows a damping ratio of zero
@@ -193,4 +193,4 @@ void report_atlas(Report& report, const std::vector<AtlasEntry>& atlas, const st
               joined(methods_outside(atlas)) + ".");
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

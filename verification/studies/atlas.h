@@ -2,9 +2,9 @@
 // and by the solver's own blow-up.
 #pragma once
 
-#include "studies/study.h"
+#include "report/study.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 struct AtlasLimit {
   double zeta = 0;
@@ -33,4 +33,4 @@ struct OperatingPoint {
 
 void report_atlas(Report& report, const std::vector<AtlasEntry>& atlas, const std::vector<OperatingPoint>& points);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,14 +1,14 @@
-#include "studies/blow_up.h"
+#include "verification/studies/blow_up.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "methods/method.h"
-#include "studies/amplification.h"
-#include "studies/growth.h"
 #include "run/run.h"
+#include "verification/studies/amplification.h"
+#include "verification/studies/growth.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr double most = 100;   // of omega h
@@ -95,4 +95,4 @@ double measured_stable_angle(const std::string& method, const Oscillation& oscil
   return 0.5 * (stable + unstable);
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -5,7 +5,7 @@
 
 #include "scene/scene.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 // A scene with one moving body, at rest but for a small push, whose linear motion is that of a damped oscillator.
 struct Oscillation {
@@ -27,4 +27,4 @@ Oscillation contact_oscillation(double zeta);
 // step, or that it reaches 1e7 times the push. `guess` shortens the search, no more. At most 100.
 double measured_stable_angle(const std::string& method, const Oscillation& oscillation, double guess);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

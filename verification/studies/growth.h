@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 class Growth {
  public:
@@ -39,4 +39,4 @@ class Growth {
   bool over_ = false;
 };
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -4,15 +4,15 @@
 #include <array>
 #include <cmath>
 
-#include "studies/catalogue.h"
-#include "studies/order_cure.h"
-#include "studies/order_figures.h"
-#include "studies/order_observed.h"
-#include "studies/order_predicted.h"
-#include "studies/order_tables.h"
-#include "studies/order_trends.h"
+#include "verification/studies/order_cure.h"
+#include "verification/studies/order_figures.h"
+#include "verification/studies/order_observed.h"
+#include "verification/studies/order_predicted.h"
+#include "verification/studies/order_tables.h"
+#include "verification/studies/order_trends.h"
+#include "verification/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr std::array<double, 5> angles{0.3, 0.2, 0.1, 0.05, 0.025};
@@ -204,4 +204,4 @@ Json order(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

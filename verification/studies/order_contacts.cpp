@@ -8,11 +8,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "studies/order_hertz.h"
-#include "studies/order_problems.h"
 #include "run/system.h"
+#include "verification/studies/order_hertz.h"
+#include "verification/studies/order_problems.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr long double pi = std::numbers::pi_v<long double>;
@@ -120,4 +120,4 @@ std::vector<Problem> contact_problems() {
   };
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,9 +1,9 @@
-#include "studies/order_cure.h"
+#include "verification/studies/order_cure.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 std::vector<Point> observe_graded(const std::string& method, const Problem& problem, int grading,
                                   const Series& series) {
@@ -51,4 +51,4 @@ double predicted_graded(const MethodInfo& method, const Problem& problem, int gr
   return whole_power ? p : std::min(p, grading * problem.limit);
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "methods/method.h"
-#include "studies/order_observed.h"
-#include "studies/order_problems.h"
+#include "verification/studies/order_observed.h"
+#include "verification/studies/order_problems.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 // The methods of the catalogue whose formulas hold for unequal steps.
 inline constexpr std::array<const char*, 6> graded_methods{"pece", "pec", "pecece", "ab2", "verlet", "rk4"};
@@ -27,4 +27,4 @@ std::vector<Point> observe_graded(const std::string& method, const Problem& prob
 
 double predicted_graded(const MethodInfo& method, const Problem& problem, int grading);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,14 +1,14 @@
-#include "studies/order_figures.h"
+#include "verification/studies/order_figures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "studies/order_tables.h"
-#include "studies/order_trends.h"
+#include "verification/studies/order_tables.h"
+#include "verification/studies/order_trends.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 std::string fixed(double value, int digits) {
   char text[32];
@@ -176,4 +176,4 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
   return figure;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "studies/order_observed.h"
-#include "studies/order_predicted.h"
-#include "studies/study.h"
+#include "report/study.h"
+#include "verification/studies/order_observed.h"
+#include "verification/studies/order_predicted.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 using Cell = std::pair<std::string, std::string>;  // method, problem
 
@@ -34,4 +34,4 @@ Figure slopes_figure(const Observations& all);
 // Change of energy a period against h omega.
 Figure energy_figure(const Observations& all, const std::vector<double>& angles);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

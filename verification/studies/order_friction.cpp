@@ -13,12 +13,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "studies/order_hertz.h"
-#include "studies/order_problems.h"
-#include "studies/order_reference.h"
 #include "run/system.h"
+#include "verification/studies/order_hertz.h"
+#include "verification/studies/order_problems.h"
+#include "verification/studies/order_reference.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr long double pi = std::numbers::pi_v<long double>;
@@ -196,4 +196,4 @@ Problem sticking() {
 
 std::vector<Problem> friction_problems() { return {stick_slip(), sliding(), sticking()}; }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

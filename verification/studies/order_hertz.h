@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "damped_hertz.h"
+#include "verification/damped_hertz.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 class HertzPath {
  public:
@@ -42,4 +42,4 @@ class HertzPath {
   long double end_, depth_, exit_;
 };
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,4 +1,4 @@
-#include "studies/order_observed.h"
+#include "verification/studies/order_observed.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "run/run.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 struct Plan {
@@ -229,4 +229,4 @@ std::vector<Point> observe_return(const std::string& method, const Problem& prob
   return points;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

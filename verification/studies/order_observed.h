@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "methods/method.h"
-#include "studies/order_problems.h"
+#include "verification/studies/order_problems.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 // How finely: the first number of steps is the problem's, each next one `ratio` times as many; tolerances of controlled
 // methods go from 1e-5 to 1e-10.
@@ -68,4 +68,4 @@ std::vector<Point> observe_return(const std::string& method, const Problem& prob
 // is lost on the way is mostly found again, round-off too: errors count down to 1e-12.
 Slope fitted_return(const std::vector<Point>& points);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

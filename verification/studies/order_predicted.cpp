@@ -1,10 +1,10 @@
-#include "studies/order_predicted.h"
+#include "verification/studies/order_predicted.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 // Symplectic Euler's velocities are those of Verlet's half a step off, its positions the same where it starts and ends
@@ -77,4 +77,4 @@ Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vec
 
 bool applies(const MethodInfo& method, const Problem& problem) { return refusal(method, *problem.system()).empty(); }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

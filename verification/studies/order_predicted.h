@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "methods/method.h"
-#include "studies/order_observed.h"
-#include "studies/order_problems.h"
+#include "verification/studies/order_observed.h"
+#include "verification/studies/order_problems.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 struct Prediction {
   double position = 0;
@@ -58,4 +58,4 @@ Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vec
 // Whether the method can carry the problem at all.
 bool applies(const MethodInfo& method, const Problem& problem);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,10 +1,10 @@
-#include "studies/order_problems.h"
+#include "verification/studies/order_problems.h"
 
 #include <map>
 #include <mutex>
 #include <stdexcept>
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 // Every method asks for the same states: they are computed once.
@@ -44,4 +44,4 @@ const Problem& problem(const std::string& name) {
   throw std::invalid_argument("no problem '" + name + "'");
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "system/ode.h"
 #include "scene/scene.h"
+#include "system/ode.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 
@@ -52,4 +52,4 @@ std::vector<Problem> spring_problems();    // undamped, damped, lattice, tear
 std::vector<Problem> contact_problems();   // linear, with dashpot, Hertz, Hertz with damping
 std::vector<Problem> friction_problems();  // sliding, stick-slip, sticking
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,9 +1,9 @@
-#include "studies/order_reference.h"
+#include "verification/studies/order_reference.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 Numbers moved(const Numbers& y, long double h, const Numbers& rate) {
@@ -59,4 +59,4 @@ Numbers Trajectory::at(long double t) const {
   return extrapolated_step(f_, kept_[n], t - static_cast<long double>(n) * step_);
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

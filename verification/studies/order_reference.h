@@ -6,7 +6,7 @@
 
 #include "system/ode.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 using Numbers = std::vector<long double>;
 using Rate = std::function<Numbers(const Numbers&)>;
@@ -29,4 +29,4 @@ class Trajectory {
   std::vector<Numbers> kept_;
 };
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -9,11 +9,11 @@
 #include <array>
 #include <cmath>
 
-#include "studies/order_problems.h"
-#include "studies/order_reference.h"
 #include "run/system.h"
+#include "verification/studies/order_problems.h"
+#include "verification/studies/order_reference.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr long double omega = 10;              // rad/s, sqrt(500 / 5)
@@ -192,4 +192,4 @@ std::vector<Problem> spring_problems() {
           tear(true)};
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,12 +1,12 @@
-#include "studies/order_tables.h"
+#include "verification/studies/order_tables.h"
 
 #include <cmath>
 #include <cstdio>
 
-#include "studies/order_cure.h"
-#include "studies/order_trends.h"
+#include "verification/studies/order_cure.h"
+#include "verification/studies/order_trends.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 double number(const Json& value) { return value.is_number() ? value.get<double>() : NAN; }
@@ -137,4 +137,4 @@ void trends_table(Report& report, const Observations& all) {
       rows);
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

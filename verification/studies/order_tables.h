@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "studies/order_figures.h"
+#include "verification/studies/order_figures.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 std::string with_error(const Slope& slope);  // "1.98 ± 0.01"
 std::string in_short(const Slope& slope);    // "1.98(1)": the standard error in units of the last digit
@@ -24,4 +24,4 @@ void controlled_table(Report& report, const Observations& all);
 void cure_table(Report& report, const Observations& all);
 void trends_table(Report& report, const Observations& all);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

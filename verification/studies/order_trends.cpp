@@ -1,4 +1,4 @@
-#include "studies/order_trends.h"
+#include "verification/studies/order_trends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
-#include "studies/amplification.h"
+#include "verification/studies/amplification.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -109,4 +109,4 @@ std::optional<double> predicted_return(const MethodInfo& method) {
   return method.order % 2 == 0 ? method.order + 1 : method.order;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "methods/method.h"
-#include "studies/order_observed.h"
+#include "verification/studies/order_observed.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 struct Count {
   double per_step = 0;  // evaluations, once started
@@ -44,4 +44,4 @@ std::optional<double> predicted_return(const MethodInfo& method);
 // Whether the way back ends where it began but for round-off.
 bool returns_exactly(const std::vector<Point>& points);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,17 +1,17 @@
-#include "studies/scene_stability.h"
+#include "verification/studies/scene_stability.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "studies/amplification.h"
-#include "studies/growth.h"
 #include "run/observe.h"
 #include "run/prepare.h"
 #include "run/run.h"
+#include "verification/studies/amplification.h"
+#include "verification/studies/growth.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 constexpr double still = 1e-6;  // of the largest eigenvalue: below it, rigid motion
@@ -242,4 +242,4 @@ StableStep stable_step(const Standing& s, const std::string& method) {
   return {method, predicted, measured_step(s, method, guess), predicted_step(s, method, growth_seen)};
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

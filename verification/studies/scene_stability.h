@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "methods/method.h"
-#include "studies/linearise.h"
+#include "report/linearise.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 // A scene at one moment, and its linearisation.
 struct Standing {
@@ -70,4 +70,4 @@ bool has_stable_step(const Standing& s, const MethodInfo& method);
 // Predicted and measured.
 StableStep stable_step(const Standing& s, const std::string& method);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,17 +1,17 @@
-#include "studies/scenes_stability.h"
+#include "verification/studies/scenes_stability.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
+#include "report/cases.h"
+#include "run/stiffness.h"
 #include "scene/read.h"
 #include "scene/wording.h"
-#include "studies/amplification.h"
-#include "studies/cases.h"
-#include "run/stiffness.h"
+#include "verification/studies/amplification.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 namespace {
 
 struct Chosen {
@@ -227,4 +227,4 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes) {
   }
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

@@ -1,10 +1,10 @@
 // The scenes of validation/scenes in the study of stability: their spectra and the steps that they allow.
 #pragma once
 
-#include "studies/atlas.h"
-#include "studies/scene_stability.h"
+#include "verification/studies/atlas.h"
+#include "verification/studies/scene_stability.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 // What is kept of a scene at a moment.
 struct StandingScene {
@@ -26,4 +26,4 @@ std::vector<StandingScene> standing_scenes(const Settings& settings);
 
 void report_scenes(Report& report, const std::vector<StandingScene>& scenes);
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

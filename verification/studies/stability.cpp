@@ -1,8 +1,8 @@
 // Where methods fail: the atlas of their stable steps, and what that means for scenes.
-#include "studies/catalogue.h"
-#include "studies/scenes_stability.h"
+#include "verification/studies/scenes_stability.h"
+#include "verification/studies/studies.h"
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 Json stability(const Settings& settings) {
   Report report("Stability: where methods fail",
@@ -19,4 +19,4 @@ Json stability(const Settings& settings) {
   return report.json();
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification

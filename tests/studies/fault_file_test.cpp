@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "fault_study/faults.h"
+#include "verification/fault_study/faults.h"
 
 namespace furrow::verification {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "scene/scene.h"
 
-namespace furrow::studies {
+namespace furrow {
 
 using Json = nlohmann::ordered_json;
 
@@ -74,10 +74,8 @@ struct Study {
   Json (*run)(const Settings& settings);
 };
 
-const std::vector<Study>& catalogue();
+// Runs the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold. Throws
+// Interrupted.
+std::vector<std::string> run_study(const Study& study, const Settings& settings);
 
-// Runs the study of that name and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold.
-// Throws std::invalid_argument if there is no such study, Interrupted.
-std::vector<std::string> run_study(const std::string& name, const Settings& settings);
-
-}  // namespace furrow::studies
+}  // namespace furrow

@@ -1,4 +1,4 @@
-#include "page/seal.h"
+#include "report/seal.h"
 
 #include <array>
 #include <cstdint>

@@ -1,12 +1,12 @@
 // The gate of instruction counts cannot pass on nothing.
-#include "tracking/gate.h"
+#include "benchmarks/tracking/gate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-namespace furrow::tracking {
+namespace furrow::benchmarks {
 namespace {
 
 Json sound() {
@@ -57,4 +57,4 @@ TEST(Gate, MoreThanTwoPerCentFails) {
 }
 
 }  // namespace
-}  // namespace furrow::tracking
+}  // namespace furrow::benchmarks

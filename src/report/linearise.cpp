@@ -1,4 +1,4 @@
-#include "studies/linearise.h"
+#include "report/linearise.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "run/observe.h"
 
-namespace furrow::studies {
+namespace furrow {
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -219,4 +219,4 @@ Driver driver_of(const System& system, double t, const State& y, const Linearise
   return driver;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow

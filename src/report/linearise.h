@@ -8,7 +8,7 @@
 
 #include "run/system.h"
 
-namespace furrow::studies {
+namespace furrow {
 
 struct Linearised {
   std::vector<int> acting;            // places in the state: positions, velocities, spins, springs in use
@@ -38,4 +38,4 @@ struct Driver {
 Driver driver_of(const System& system, double t, const State& y, const Linearised& linearised,
                  const Eigen::VectorXcd& motion, std::complex<double> value);
 
-}  // namespace furrow::studies
+}  // namespace furrow

@@ -1,11 +1,11 @@
-#include "studies/cases.h"
+#include "report/cases.h"
 
 #include <algorithm>
 
-#include "studies/study.h"
+#include "report/study.h"
 #include "run/run.h"
 
-namespace furrow::studies {
+namespace furrow {
 namespace {
 
 // A disc of the paper flies at 0.1 m/s against a rigid wall, which it touches after 13.7 ms.
@@ -144,4 +144,4 @@ const std::vector<CaseInfo>& cases() {
   return all;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow

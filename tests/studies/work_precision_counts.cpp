@@ -8,32 +8,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studies/reference.h"
+#include "benchmarks/studies/reference.h"
 #include "verification/check.h"
 
 namespace furrow::verification {
 namespace {
 
-using studies::CaseInfo;
-using studies::Error;
-using studies::Outcome;
+using benchmarks::Error;
+using benchmarks::Outcome;
 
 CaseInfo info_of(const std::string& name) {
-  const std::vector<CaseInfo>& all = studies::cases();
+  const std::vector<CaseInfo>& all = cases();
   return *std::find_if(all.begin(), all.end(), [&](const CaseInfo& c) { return c.name == name; });
 }
 
 Outcome outcome(const std::string& name, const std::string& method, double step, double tolerance = 0) {
-  return run_case(make_case(info_of(name)), {.method = method, .step = step, .tolerance = tolerance});
+  return benchmarks::run_case(make_case(info_of(name)), {.method = method, .step = step, .tolerance = tolerance});
 }
 
 double count(const std::string& name, const std::string& method, double step, double tolerance = 0) {
   return static_cast<double>(outcome(name, method, step, tolerance).evaluations);
 }
 
-studies::Reference reference(const std::string& name) {
+benchmarks::Reference reference(const std::string& name) {
   const CaseInfo info = info_of(name);
-  return studies::reference_from(reference_runs(info, make_case(info)));
+  return benchmarks::reference_from(benchmarks::reference_runs(info, make_case(info)));
 }
 
 TEST(WorkPrecision, ReferencesAreClosedForms) {
@@ -49,7 +48,7 @@ TEST(WorkPrecision, ReferencesAreClosedForms) {
   const double depth = std::pow(5 * 1000 * pi * radius * radius * speed * speed / (4 * stiffness), 0.4);
   // A rigid wall adds nothing to 1/E* = (1 - nu^2)/E.
   const double lasts = 0.8 * std::sqrt(pi) * std::tgamma(0.4) / std::tgamma(0.9) * depth / speed;
-  const studies::Reference hertz = reference("hertz_impact");
+  const benchmarks::Reference hertz = reference("hertz_impact");
   expect("disc after its bounce [m]", hertz.outcome.place.at(1), radius + speed * (0.1 - touch - lasts),
          absolute(
              1e-13,
@@ -59,7 +58,7 @@ TEST(WorkPrecision, ReferencesAreClosedForms) {
 TEST(WorkPrecision, UnrelatedReferencesAgreeTenTimesBetterThanThePapersError) {
   requirement("precision.references");
   for (const std::string name : {"single_spring", "hertz_impact", "damped_hertz_impact", "cantilever"}) {
-    const studies::Reference known = reference(name);
+    const benchmarks::Reference known = reference(name);
     const double papers = error_of(outcome(name, "pece", 1e-4), known.outcome).place;
     expect(name + ": apart, of the paper's error", known.disagreement.place / papers, 0,
            absolute(0.1, "an error is told from the reference's own only if it is ten times larger"));

@@ -1,13 +1,13 @@
 // Programs are run without a shell: what a directory is called is never part of a command.
-#include "measuring/process.h"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
-namespace furrow::measuring {
+#include "report/measured_process.h"
+
+namespace furrow::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,7 +16,8 @@ TEST(Process, ANameWithAnApostropheIsAName) {
   const fs::path place = fs::temp_directory_path() / ("it's; touch owned; '$(touch owned)" + std::to_string(getpid()));
   fs::create_directories(place / "work");
   std::ofstream(place / "text") << "read";
-  const Ran ran = run({.words = {"cat", place / "text"}, .directory = place / "work", .errors = place / "work/errors"});
+  const MeasuredEnd ran =
+      run_measured({.words = {"cat", place / "text"}, .directory = place / "work", .errors = place / "work/errors"});
   EXPECT_EQ(ran.status, 0);
   EXPECT_EQ(ran.output, "read");
   EXPECT_FALSE(fs::exists(place / "work/owned"));
@@ -24,7 +25,7 @@ TEST(Process, ANameWithAnApostropheIsAName) {
 }
 
 TEST(Process, OneThatCannotBeStartedIsAnError) {
-  EXPECT_THROW(run({.words = {"no_such_program_of_this_name"}}), std::runtime_error);
+  EXPECT_THROW(run_measured({.words = {"no_such_program_of_this_name"}}), std::runtime_error);
 }
 
 // The fault study starts everything by this helper.
@@ -38,4 +39,4 @@ TEST(Process, TheFaultStudyAsksNoShell) {
 }
 
 }  // namespace
-}  // namespace furrow::measuring
+}  // namespace furrow::benchmarks

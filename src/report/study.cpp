@@ -1,4 +1,4 @@
-#include "studies/study.h"
+#include "report/study.h"
 
 #include <atomic>
 #include <exception>
@@ -16,12 +16,12 @@
 #include "output/files.h"
 #include "output/kept_result.h"
 #include "output/machine.h"
-#include "page/embedded.h"
-#include "page/seal.h"
-#include "scene/read.h"
+#include "report/embedded.h"
+#include "report/seal.h"
 #include "run/prepare.h"
+#include "scene/read.h"
 
-namespace furrow::studies {
+namespace furrow {
 namespace {
 
 namespace fs = std::filesystem;
@@ -239,28 +239,22 @@ Report& Report::data(Json data) {
   return *this;
 }
 
-std::vector<std::string> run_study(const std::string& name, const Settings& settings) {
-  std::string known;
-  for (const Study& study : catalogue()) {
-    known += (known.empty() ? "" : ", ") + study.name;
-    if (study.name != name) continue;
-    const fs::path file = settings.directory / (name + ".json");
-    refuse_what_is_not("a result of study " + name, file,
-                       [&](const std::string& text) { return is_result(name, text); });
-    Json result = study.run(settings);
-    result["study"] = name;
-    result["form"] = form_of(settings);
-    result["sources"] = build_info().sources;
-    seal(result);
-    replace_file(file, result.dump(1) + "\n");
-    fs::remove(settings.directory / (name + ".runs.jsonl"));
-    std::vector<std::string> refuted;
-    for (const Json& claim : result.at("claims")) {
-      if (!claim.at("holds").get<bool>()) refuted.push_back(claim.at("text"));
-    }
-    return refuted;
+std::vector<std::string> run_study(const Study& study, const Settings& settings) {
+  const fs::path file = settings.directory / (study.name + ".json");
+  refuse_what_is_not("a result of study " + study.name, file,
+                     [&](const std::string& text) { return is_result(study.name, text); });
+  Json result = study.run(settings);
+  result["study"] = study.name;
+  result["form"] = form_of(settings);
+  result["sources"] = build_info().sources;
+  seal(result);
+  replace_file(file, result.dump(1) + "\n");
+  fs::remove(settings.directory / (study.name + ".runs.jsonl"));
+  std::vector<std::string> refuted;
+  for (const Json& claim : result.at("claims")) {
+    if (!claim.at("holds").get<bool>()) refuted.push_back(claim.at("text"));
   }
-  throw std::invalid_argument("no study '" + name + "'; there are " + known);
+  return refuted;
 }
 
-}  // namespace furrow::studies
+}  // namespace furrow

@@ -1,4 +1,4 @@
-#include "measuring/process.h"
+#include "report/measured_process.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -12,14 +12,14 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace furrow::measuring {
+namespace furrow {
 namespace {
 
 constexpr int could_not_start = 127;
 
 double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
 
-[[noreturn]] void become(const Command& command, int output) {
+[[noreturn]] void become(const MeasuredCommand& command, int output) {
   std::vector<char*> words;
   for (const std::string& word : command.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -35,7 +35,7 @@ double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 *
 
 }  // namespace
 
-Ran run(const Command& command) {
+MeasuredEnd run_measured(const MeasuredCommand& command) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
   const auto start = std::chrono::steady_clock::now();
@@ -43,7 +43,7 @@ Ran run(const Command& command) {
   if (child < 0) throw std::runtime_error(std::strerror(errno));
   if (child == 0) become(command, pipe_ends[1]);
   close(pipe_ends[1]);
-  Ran ran;
+  MeasuredEnd ran;
   std::array<char, 4096> part{};
   int lost = 0;
   for (ssize_t n = 0; lost == 0 && (n = read(pipe_ends[0], part.data(), part.size())) != 0;) {
@@ -63,12 +63,12 @@ Ran run(const Command& command) {
   return ran;
 }
 
-Ran run_well(const Command& command) {
-  Ran ran = run(command);
+MeasuredEnd run_measured_well(const MeasuredCommand& command) {
+  MeasuredEnd ran = run_measured(command);
   if (ran.status == 0) return ran;
   std::string text;
   for (const std::string& word : command.words) text += word + " ";
   throw std::runtime_error(text + "ended with " + std::to_string(ran.status) + "; see " + command.errors.string());
 }
 
-}  // namespace furrow::measuring
+}  // namespace furrow

@@ -7,13 +7,21 @@
 #include "program/commands.h"
 #include "program/progress.h"
 #include "program/signals.h"
+#include "program/usage.h"
 #include "scene/interrupt.h"
 #include "scene/read.h"
 #include "scene/wording.h"
-#include "studies/scene_stability.h"
+#include "verification/commands.h"
+#include "verification/studies/scene_stability.h"
 
-namespace furrow {
+namespace furrow::verification {
 namespace {
+
+struct StabilityOptions {
+  std::string scene;
+  std::vector<std::string> methods;  // none: all that step by themselves
+  double at = 0;                     // s
+};
 
 std::string seconds(double step) {
   if (std::isnan(step)) return "not known";
@@ -23,12 +31,12 @@ std::string seconds(double step) {
   return text;
 }
 
-const char* verdict(const studies::StableStep& step, double own) {
+const char* verdict(const StableStep& step, double own) {
   if (!(own < step.measured)) return "UNSTABLE";
   return own < step.slow || std::isnan(step.slow) ? "stable" : "grows slowly";
 }
 
-std::string energy_words(const studies::Books& books) {
+std::string energy_words(const Books& books) {
   if (!books.diverged.empty()) return "diverged: " + books.diverged;
   if (std::isnan(books.made())) return "nothing moves in them";
   char text[64];
@@ -36,7 +44,7 @@ std::string energy_words(const studies::Books& books) {
   return text;
 }
 
-void print_standing(const StabilityOptions& options, const Scene& scene, const studies::Standing& s) {
+void print_standing(const StabilityOptions& options, const Scene& scene, const Standing& s) {
   std::printf("%s\n%s\n\nat t = %g s %td numbers act\n", options.scene.c_str(), scene.title.c_str(), s.t,
               static_cast<std::ptrdiff_t>(s.linearised.acting.size()));
   if (s.fastest == 0.0) {
@@ -64,15 +72,13 @@ std::string reason_to_skip(const MethodInfo& info, const System& system, std::si
   return why;
 }
 
-}  // namespace
-
 int stability_command(const StabilityOptions& options) {
   refuse_if_none_has_a_limit(options.methods);
   const Scene scene = requested_scene({.scene = options.scene});
   if (!(options.at >= 0 && options.at <= scene.time.end))
     throw std::invalid_argument("--at: must be from 0 to the end of the run, " + shortest(scene.time.end) + " s");
   Progress progress;
-  const studies::Standing s = studies::standing_at(scene, options.at, [&](double done, double total) {
+  const Standing s = standing_at(scene, options.at, [&](double done, double total) {
     return progress.show(options.scene, "running", done, total);
   });
   print_standing(options, scene, s);
@@ -82,14 +88,14 @@ int stability_command(const StabilityOptions& options) {
   for (const MethodInfo& info : method_catalogue()) {
     const auto& wanted = options.methods;
     const bool named = std::find(wanted.begin(), wanted.end(), info.name) != wanted.end();
-    if ((!named && !wanted.empty()) || (!named && !studies::has_stable_step(s, info))) continue;
+    if ((!named && !wanted.empty()) || (!named && !has_stable_step(s, info))) continue;
     if (const std::string why = named ? reason_to_skip(info, s.system, wanted.size()) : ""; !why.empty()) {
       std::printf("%-28s skipped: %s\n", info.name.c_str(), why.c_str());
       continue;
     }
     throw_if_interrupted();
-    const studies::StableStep step = studies::stable_step(s, info.name);
-    const studies::Books books = studies::run_on(s, info.name, own);
+    const StableStep step = stable_step(s, info.name);
+    const Books books = run_on(s, info.name, own);
     std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.slow).c_str(), seconds(step.measured).c_str());
     std::printf("%s; %s\n", verdict(step, own), energy_words(books).c_str());
     flush_standard_output();
@@ -103,4 +109,18 @@ int stability_command(const StabilityOptions& options) {
   return good;
 }
 
-}  // namespace furrow
+}  // namespace
+
+void add_stability_command(CLI::App& app, std::vector<Command>& all) {
+  static StabilityOptions standing;
+  auto* stability = app.add_subcommand("stability", "how long a step each method may take in a scene where it stands");
+  stability->add_option("scene", standing.scene, "scene file (TOML)")->required()->type_name("");
+  stability->add_option("--method", standing.methods, "methods (default: all that take a fixed step)")
+      ->type_name("NAME");
+  stability->add_option("--at", standing.at, "when in the run (default: its start)")
+      ->check(moment())
+      ->type_name("SECONDS");
+  all.push_back({stability, [] { return stability_command(standing); }});
+}
+
+}  // namespace furrow::verification

@@ -10,7 +10,7 @@
 
 #include "run/prepare.h"
 
-namespace furrow::studies {
+namespace furrow {
 
 // Every step divides the interval between samples, so that all methods are looked at at the same times.
 struct Span {
@@ -67,4 +67,4 @@ class LazyCase {
   std::unique_ptr<Case> case_;
 };
 
-}  // namespace furrow::studies
+}  // namespace furrow

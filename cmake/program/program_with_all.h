@@ -1,0 +1,16 @@
+// What is added to the program of the solver where verification, validation and benchmarks are there too.
+#pragma once
+
+#include <vector>
+
+#include "program/program.h"
+#include "report/study.h"
+
+namespace furrow {
+
+const std::vector<Study>& catalogue();
+
+// study, ensemble, statements, golden.
+void add_study_commands(CLI::App& app, std::vector<Command>& all);
+
+}  // namespace furrow

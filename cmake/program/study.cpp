@@ -1,0 +1,105 @@
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "program/progress.h"
+#include "program/usage.h"
+#include "program_with_all.h"
+#include "validation/studies/few_members.h"
+#include "validation/studies/golden.h"
+
+namespace furrow {
+namespace {
+
+struct StudyOptions {
+  std::string name;  // empty: list the studies
+  std::string directory = "studies";
+  bool quick = false;
+  unsigned jobs = 0;  // 0: as many as there are processors
+  bool few = false;   // of the ensemble: a few packings, compared with the kept result in `directory`
+};
+
+struct GoldenRequest {
+  std::string directory = "reference_data/golden", reason;
+  bool quick = false, remake = false;
+};
+
+unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+const Study& study_named(const std::string& name) {
+  std::string known;
+  for (const Study& study : catalogue()) {
+    if (study.name == name) return study;
+    known += (known.empty() ? "" : ", ") + study.name;
+  }
+  throw std::invalid_argument("no study '" + name + "'; there are " + known);
+}
+
+int study_command(const StudyOptions& options) {
+  if (options.name.empty()) {
+    for (const Study& study : catalogue()) std::printf("%-16s %s\n", study.name.c_str(), study.what.c_str());
+    return good;
+  }
+  Progress progress;
+  Settings settings{.quick = options.quick, .directory = options.directory};
+  settings.jobs = options.jobs > 0 ? options.jobs : processors();
+  settings.progress = [&](double done, double total) { return progress.show(options.name, "running", done, total); };
+  if (options.few) {
+    const auto say = [](const std::string& line) { std::printf("%s\n", line.c_str()); };
+    return validation::check_few(settings, say) ? good : check_failed;
+  }
+  const std::vector<std::string> refuted = run_study(study_named(options.name), settings);
+  std::printf("%s/%s.json\n", options.directory.c_str(), options.name.c_str());
+  for (const std::string& claim : refuted) progress.say("furrow: does not hold: " + claim);
+  return refuted.empty() ? good : check_failed;
+}
+
+int golden_command(const GoldenRequest& request) {
+  Progress progress;
+  validation::GoldenOptions options{.directory = request.directory, .quick = request.quick, .remake = request.remake};
+  options.reason = request.reason;
+  options.jobs = processors();
+  options.progress = [&](double done, double total) { return progress.show("golden", "running", done, total); };
+  options.say = [](const std::string& line) { std::printf("%s\n", line.c_str()); };
+  return validation::check_goldens(options) == 0 ? good : check_failed;
+}
+
+}  // namespace
+
+void add_study_commands(CLI::App& app, std::vector<Command>& all) {
+  static StudyOptions studied;
+  static GoldenRequest asked;
+  const auto add_study_options = [](CLI::App* command) {
+    command->add_option("--out", studied.directory, "directory for NAME.json")->capture_default_str()->type_name("DIR");
+    command->add_flag("--quick", studied.quick, "the short form");
+    command->add_option("--jobs", studied.jobs, "runs at a time (default: one a processor)")
+        ->check(whole_number(1, 1024))
+        ->type_name("NUMBER");
+    return command;
+  };
+  auto* study = add_study_options(app.add_subcommand("study", "run a study; without a name: list the studies"));
+  study->add_option("name", studied.name, "name of the study")->type_name("");
+  auto* ensemble = add_study_options(app.add_subcommand("ensemble", "the scenes over many packings"));
+  ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
+  auto* statements = add_study_options(app.add_subcommand("statements", "the paper's statements, each judged"));
+
+  auto* golden = app.add_subcommand("golden", "run the paper's scenes and compare them to the bit with earlier runs");
+  golden->add_option("--goldens", asked.directory, "directory of the golden outputs")
+      ->capture_default_str()
+      ->type_name("DIR");
+  golden->add_flag("--quick", asked.quick, "scene 1 whole, the others for 0.1 s");
+  golden->add_flag("--remake", asked.remake, "write those that differ anew");
+  golden->add_option("--reason", asked.reason, "why they are made anew")->type_name("TEXT");
+
+  all.push_back({study, [] { return study_command(studied); }});
+  for (const CLI::App* named : {ensemble, statements}) {
+    all.push_back({named, [named] {
+                     studied.name = named->get_name();
+                     return study_command(studied);
+                   }});
+  }
+  all.push_back({golden, [] { return golden_command(asked); }});
+}
+
+}  // namespace furrow

@@ -1,0 +1,72 @@
+// The commands of the solver on the command line.
+#include <algorithm>
+#include <cstdio>
+
+#include "methods/method.h"
+#include "program/commands.h"
+#include "program/program.h"
+#include "program/usage.h"
+
+namespace furrow {
+namespace {
+
+int methods_command() {
+  std::size_t widest = 0;
+  for (const MethodInfo& m : method_catalogue()) widest = std::max(widest, m.name.size());
+  const int width = static_cast<int>(widest);
+  std::printf("%-*s  order  f a step  step        what\n", width, "name");
+  std::string family = "own";
+  for (const MethodInfo& m : method_catalogue()) {
+    if (m.family != family) std::printf("\nBoost.Odeint\n");
+    family = m.family;
+    const std::string evaluations =
+        m.evaluations == 0 ? "varies" : std::to_string(m.evaluations) + (m.dense_jacobian ? " + n" : "");
+    std::printf("%-*s  %5d  %8s  %-10s  %s%s%s\n", width, m.name.c_str(), m.order, evaluations.c_str(),
+                m.controlled ? "controlled" : "fixed", m.title.c_str(),
+                m.conservative ? "; no forces that depend on velocity" : "",
+                m.dense_jacobian ? "; n numbers of state, at most 200" : "");
+  }
+  return good;
+}
+
+}  // namespace
+
+void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
+  static RunOptions options;
+  static std::vector<std::string> scenes;
+  const auto add_overrides = [](CLI::App* command) {
+    command->add_option("scene", options.scene, "scene file (TOML)")->required()->type_name("");
+    command->add_option("--method", options.method, "integration method, see furrow methods")->type_name("NAME");
+    command->add_option("--dt", options.step, "time step; rows are written no oftener")->type_name("SECONDS");
+  };
+  auto* run = app.add_subcommand("run", "run a scene and write its files; run.json goes to standard output too");
+  add_overrides(run);
+  run->add_option("--until", options.until, "end of the run; pictures after it are left out")->type_name("SECONDS");
+  run->add_option("--locate", options.locate, "what steps end at: none, tears, or all (touches and slips too)")
+      ->type_name("WORD");
+  run->add_option("--threads", options.threads, "threads in one step, for beds of more than 4,096 discs")
+      ->type_name("NUMBER");
+  run->add_option("--solver", options.solver, "kernel, or reference: every pair, one after the other, to the same bits")
+      ->type_name("WORD");
+  auto* out =
+      run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")->type_name("DIR");
+  run->add_option("--resume", options.resume, "go on with the run in this directory, from its last checkpoint")
+      ->type_name("DIR")
+      ->excludes(out);
+
+  auto* check = app.add_subcommand("check", "read scene files and say all that is wrong with them");
+  check->add_option("scenes", scenes, "scene files")->required()->type_name("");
+
+  auto* explain =
+      app.add_subcommand("explain", "what of a scene is modelled, what is left out, and what follows from its numbers");
+  add_overrides(explain);
+
+  auto* methods = app.add_subcommand("methods", "list the integration methods");
+
+  all.insert(all.end(), {{run, [] { return run_command(options); }},
+                         {check, [] { return check_command(scenes); }},
+                         {explain, [] { return explain_command(options); }},
+                         {methods, methods_command}});
+}
+
+}  // namespace furrow
