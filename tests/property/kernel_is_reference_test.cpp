@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cstdlib>
+#include <ostream>
 #include <random>
 
 #include "both_solvers.h"
@@ -24,6 +25,11 @@ bool either() { return *rc::gen::arbitrary<bool>(); }
 struct Thrown {
   int x, y, radius, vx, vy, spin, hard;
 };
+
+[[maybe_unused]] void showValue(const Thrown& t, std::ostream& out) {
+  out << "x " << t.x << " y " << t.y << " radius " << t.radius << " vx " << t.vx << " vy " << t.vy << " spin " << t.spin
+      << (t.hard != 0 ? " hard" : " soft");
+}
 
 std::vector<Thrown> some_discs() {
   const auto any = rc::gen::inRange(0, 1001);
