@@ -40,10 +40,12 @@ class AdamsBashforth2 final : public Method {
   double h_before_ = 0;  // s; 0: no history
 };
 
-}  // namespace
-
 std::unique_ptr<Method> make_adams_bashforth_2(const Tolerances& /*tolerances*/) {
   return std::make_unique<AdamsBashforth2>();
 }
+
+}  // namespace
+
+FURROW_METHODS(adams_bashforth_2) { add_method(catalogue, make_adams_bashforth_2); }
 
 }  // namespace furrow

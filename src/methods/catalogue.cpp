@@ -1,56 +1,43 @@
+#include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 #include "methods/method.h"
-#include "methods/odeint.h"
 #include "scene/wording.h"
 
 namespace furrow {
+
+// The methods that the files of this folder add; written when the build is configured.
+void methods_of_all_files(std::vector<MethodEntry>& catalogue);
+
 namespace {
 
-constexpr std::size_t most_unknowns = 200;  // above it a dense Jacobian costs more than it gains
+std::mutex mutex;
 
-using Maker = std::unique_ptr<Method> (*)(const Tolerances&);
-
-// One a line, so that additions do not meet.
-// clang-format off
-constexpr Maker own[] = {
-    make_pece,
-    make_pec,
-    make_pecece,
-    make_pece_adaptive,
-    make_adams_bashforth_2,
-    make_symplectic_euler,
-    make_verlet,
-    make_runge_kutta_4,
-    make_runge_kutta_chebyshev,
-};
-// clang-format on
-
-std::vector<MethodEntry> all_entries() {
-  std::vector<MethodEntry> list;
-  for (const Maker make : own) list.push_back({make({})->info(), make});
-  for (const auto& part : {odeint_fixed_methods(), odeint_controlled_methods(), odeint_implicit_methods()})
-    list.insert(list.end(), part.begin(), part.end());
-  return list;
-}
-
-const std::vector<MethodEntry>& entries() {
-  static const std::vector<MethodEntry> all = all_entries();
-  return all;
-}
-
-}  // namespace
-
-const std::vector<MethodInfo>& method_catalogue() {
-  static const std::vector<MethodInfo> all = [] {
-    std::vector<MethodInfo> list;
-    for (const MethodEntry& entry : entries()) list.push_back(entry.info);
+// The paper's method is the first, own ones come before others.
+std::vector<MethodEntry>& entries() {
+  static std::vector<MethodEntry> all = [] {
+    std::vector<MethodEntry> list;
+    methods_of_all_files(list);
+    const auto rank = [](const MethodEntry& e) { return e.info.name == "pece" ? 0 : e.info.family == "own" ? 1 : 2; };
+    std::stable_sort(list.begin(), list.end(),
+                     [&](const auto& one, const auto& other) { return rank(one) < rank(other); });
     return list;
   }();
   return all;
 }
 
+}  // namespace
+
+std::vector<MethodInfo> method_catalogue() {
+  const std::scoped_lock lock(mutex);
+  std::vector<MethodInfo> list;
+  for (const MethodEntry& entry : entries()) list.push_back(entry.info);
+  return list;
+}
+
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances) {
+  const std::scoped_lock lock(mutex);
   std::vector<std::string> known;
   for (const MethodEntry& entry : entries()) {
     if (entry.info.name == name) return entry.make(tolerances);
@@ -58,6 +45,21 @@ std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& t
   }
   throw std::invalid_argument("no method '" + name + "'" + did_you_mean(name, known) + "; see furrow methods");
 }
+
+void register_method(const MethodEntry& entry) {
+  const std::scoped_lock lock(mutex);
+  for (const MethodEntry& other : entries()) {
+    if (other.info.name == entry.info.name)
+      throw std::invalid_argument("there is a method '" + entry.info.name + "' already");
+  }
+  entries().push_back(entry);
+}
+
+namespace {
+
+constexpr std::size_t most_unknowns = 200;  // above it a dense Jacobian costs more than it gains
+
+}  // namespace
 
 std::string refusal(const MethodInfo& method, const OdeSystem& system) {
   if (const std::string what = system.velocity_dependence(); method.conservative && !what.empty())

@@ -100,26 +100,28 @@ class Method {
   double known_at_ = NAN;  // s
 };
 
-// All methods, own ones first.
-const std::vector<MethodInfo>& method_catalogue();
-
-// Throws std::invalid_argument that names the nearest one if there is no such method.
-std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
-
 struct MethodEntry {
   MethodInfo info;
   std::function<std::unique_ptr<Method>(const Tolerances&)> make;
 };
 
-// The makers of the own ones. Fixed-step methods take no notice of the tolerances.
-std::unique_ptr<Method> make_pece(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_pec(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_pecece(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_pece_adaptive(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_adams_bashforth_2(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_symplectic_euler(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_verlet(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_runge_kutta_chebyshev(const Tolerances& tolerances = {});
-std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& tolerances = {});
+// All methods, own ones first: those of each file of this folder, and what has been registered from outside.
+std::vector<MethodInfo> method_catalogue();
+
+// Throws std::invalid_argument that names the nearest one if there is no such method.
+std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
+
+// A method from outside, to be used like any other from then on. Throws std::invalid_argument if its name is taken.
+void register_method(const MethodEntry& entry);
+
+// A method of this folder enters the catalogue at the end of its file; the build finds it there.
+//   FURROW_METHODS(name_of_the_file) { add_method(catalogue, make_my_method); }
+#define FURROW_METHODS(file) void methods_of_##file(std::vector<MethodEntry>& catalogue)
+
+// make: std::unique_ptr<Method>(const Tolerances&). A fixed-step method takes no notice of the tolerances.
+template <class Make>
+void add_method(std::vector<MethodEntry>& catalogue, Make make) {
+  catalogue.push_back({make({})->info(), make});
+}
 
 }  // namespace furrow

@@ -16,11 +16,6 @@
 
 namespace furrow {
 
-// The adapters' parts of the catalogue.
-std::vector<MethodEntry> odeint_fixed_methods();
-std::vector<MethodEntry> odeint_controlled_methods();
-std::vector<MethodEntry> odeint_implicit_methods();
-
 template <class Adapter>
 MethodEntry odeint_entry(MethodInfo info) {
   info.family = "odeint";

@@ -129,16 +129,20 @@ class Controlled final : public ControlledOdeint {
 
 // fehlberg78 walks through collisions at any tolerance when its steps are longer than some thirtieth of them: in free
 // flight its error is zero. run() caps them all at the scene's time.max_step.
-std::vector<MethodEntry> odeint_controlled_methods() {
-  return {
-      odeint_entry<Controlled<Pair<odeint::runge_kutta_cash_karp54>>>(
-          {"odeint_cash_karp54", "runge_kutta_cash_karp54", 5, 6, true}),
-      odeint_entry<Controlled<Pair<odeint::runge_kutta_dopri5>>>({"odeint_dopri5", "runge_kutta_dopri5", 5, 6, true}),
-      odeint_entry<Controlled<Pair<odeint::runge_kutta_fehlberg78>>>(
-          {"odeint_fehlberg78", "runge_kutta_fehlberg78; needs time.max_step below 1/30 of a collision", 8, 13, true}),
-      odeint_entry<Controlled<BulirschStoer>>(
-          {"odeint_bulirsch_stoer", "bulirsch_stoer: extrapolated midpoint, order 4 to 16 as it goes", 4, 0, true}),
-  };
+FURROW_METHODS(odeint_controlled) {
+  catalogue.insert(
+      catalogue.end(),
+      {
+          odeint_entry<Controlled<Pair<odeint::runge_kutta_cash_karp54>>>(
+              {"odeint_cash_karp54", "runge_kutta_cash_karp54", 5, 6, true}),
+          odeint_entry<Controlled<Pair<odeint::runge_kutta_dopri5>>>(
+              {"odeint_dopri5", "runge_kutta_dopri5", 5, 6, true}),
+          odeint_entry<Controlled<Pair<odeint::runge_kutta_fehlberg78>>>(
+              {"odeint_fehlberg78", "runge_kutta_fehlberg78; needs time.max_step below 1/30 of a collision", 8, 13,
+               true}),
+          odeint_entry<Controlled<BulirschStoer>>(
+              {"odeint_bulirsch_stoer", "bulirsch_stoer: extrapolated midpoint, order 4 to 16 as it goes", 4, 0, true}),
+      });
 }
 
 }  // namespace furrow

@@ -201,28 +201,30 @@ MethodEntry symplectic(const std::string& name, int order, int evaluations) {
 
 }  // namespace
 
-std::vector<MethodEntry> odeint_fixed_methods() {
-  return {
-      odeint_entry<Fixed<odeint::euler<State>>>({"odeint_euler", "euler", 1, 1, false}),
-      odeint_entry<Fixed<odeint::modified_midpoint<State>>>(
-          {"odeint_modified_midpoint", "modified_midpoint of two substeps", 2, 3, false}),
-      odeint_entry<Fixed<odeint::runge_kutta4<State>>>({"odeint_rk4", "runge_kutta4", 4, 4, false}),
-      bashforth<1>(),
-      bashforth<2>(),
-      bashforth<3>(),
-      bashforth<4>(),
-      bashforth<5>(),
-      bashforth_moulton<1>(),
-      bashforth_moulton<2>(),
-      bashforth_moulton<3>(),
-      bashforth_moulton<4>(),
-      bashforth_moulton<5>(),
-      odeint_entry<VelocityVerlet>(
-          {"odeint_velocity_verlet", "velocity_verlet, given predicted velocities", 2, 1, false}),
-      symplectic<odeint::symplectic_euler<State>>("symplectic_euler", 1, 1),
-      symplectic<odeint::symplectic_rkn_sb3a_mclachlan<State>>("symplectic_rkn_sb3a_mclachlan", 4, 6),
-      symplectic<odeint::symplectic_rkn_sb3a_m4_mclachlan<State>>("symplectic_rkn_sb3a_m4_mclachlan", 4, 5),
-  };
+FURROW_METHODS(odeint_fixed) {
+  catalogue.insert(
+      catalogue.end(),
+      {
+          odeint_entry<Fixed<odeint::euler<State>>>({"odeint_euler", "euler", 1, 1, false}),
+          odeint_entry<Fixed<odeint::modified_midpoint<State>>>(
+              {"odeint_modified_midpoint", "modified_midpoint of two substeps", 2, 3, false}),
+          odeint_entry<Fixed<odeint::runge_kutta4<State>>>({"odeint_rk4", "runge_kutta4", 4, 4, false}),
+          bashforth<1>(),
+          bashforth<2>(),
+          bashforth<3>(),
+          bashforth<4>(),
+          bashforth<5>(),
+          bashforth_moulton<1>(),
+          bashforth_moulton<2>(),
+          bashforth_moulton<3>(),
+          bashforth_moulton<4>(),
+          bashforth_moulton<5>(),
+          odeint_entry<VelocityVerlet>(
+              {"odeint_velocity_verlet", "velocity_verlet, given predicted velocities", 2, 1, false}),
+          symplectic<odeint::symplectic_euler<State>>("symplectic_euler", 1, 1),
+          symplectic<odeint::symplectic_rkn_sb3a_mclachlan<State>>("symplectic_rkn_sb3a_mclachlan", 4, 6),
+          symplectic<odeint::symplectic_rkn_sb3a_m4_mclachlan<State>>("symplectic_rkn_sb3a_m4_mclachlan", 4, 5),
+      });
 }
 
 }  // namespace furrow

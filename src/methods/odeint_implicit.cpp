@@ -164,11 +164,13 @@ MethodEntry implicit(MethodInfo info) {
 
 }  // namespace
 
-std::vector<MethodEntry> odeint_implicit_methods() {
-  return {
-      implicit<Rosenbrock4>({"odeint_rosenbrock4", "rosenbrock4", 4, 7, true}),
-      implicit<ImplicitEuler>({"odeint_implicit_euler", "implicit_euler, one Newton step", 1, 1, false}),
-  };
+FURROW_METHODS(odeint_implicit) {
+  catalogue.insert(
+      catalogue.end(),
+      {
+          implicit<Rosenbrock4>({"odeint_rosenbrock4", "rosenbrock4", 4, 7, true}),
+          implicit<ImplicitEuler>({"odeint_implicit_euler", "implicit_euler, one Newton step", 1, 1, false}),
+      });
 }
 
 }  // namespace furrow

@@ -65,8 +65,6 @@ class Pece final : public Method {
   double h_before_ = 0;  // s; 0: no history
 };
 
-}  // namespace
-
 std::unique_ptr<Method> make_pece(const Tolerances& /*tolerances*/) {
   return std::make_unique<Pece>(
       MethodInfo{"pece", "AB2 predictor, AM2 corrector, PECE: the paper's method", 2, 2, false}, Form::pece);
@@ -79,6 +77,14 @@ std::unique_ptr<Method> make_pec(const Tolerances& /*tolerances*/) {
 std::unique_ptr<Method> make_pecece(const Tolerances& /*tolerances*/) {
   return std::make_unique<Pece>(MethodInfo{"pecece", "AB2 predictor, AM2 corrector, P(EC)^2E", 2, 3, false},
                                 Form::pecece);
+}
+
+}  // namespace
+
+FURROW_METHODS(pece) {
+  add_method(catalogue, make_pece);
+  add_method(catalogue, make_pec);
+  add_method(catalogue, make_pecece);
 }
 
 }  // namespace furrow

@@ -55,10 +55,12 @@ class PeceAdaptive final : public ControlledMethod {
   double h_before_ = 0;  // s; 0: no history
 };
 
-}  // namespace
-
 std::unique_ptr<Method> make_pece_adaptive(const Tolerances& tolerances) {
   return std::make_unique<PeceAdaptive>(tolerances);
 }
+
+}  // namespace
+
+FURROW_METHODS(pece_adaptive) { add_method(catalogue, make_pece_adaptive); }
 
 }  // namespace furrow

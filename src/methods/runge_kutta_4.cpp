@@ -34,8 +34,10 @@ class RungeKutta4 final : public Method {
   State k1_, k2_, k3_, k4_, stage_;
 };
 
+std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& /*tolerances*/) { return std::make_unique<RungeKutta4>(); }
+
 }  // namespace
 
-std::unique_ptr<Method> make_runge_kutta_4(const Tolerances& /*tolerances*/) { return std::make_unique<RungeKutta4>(); }
+FURROW_METHODS(runge_kutta_4) { add_method(catalogue, make_runge_kutta_4); }
 
 }  // namespace furrow

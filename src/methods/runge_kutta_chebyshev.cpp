@@ -179,10 +179,12 @@ class RungeKuttaChebyshev final : public ControlledMethod {
   State ahead_, before_, stage_, rate_, vector_;
 };
 
-}  // namespace
-
 std::unique_ptr<Method> make_runge_kutta_chebyshev(const Tolerances& tolerances) {
   return std::make_unique<RungeKuttaChebyshev>(tolerances);
 }
+
+}  // namespace
+
+FURROW_METHODS(runge_kutta_chebyshev) { add_method(catalogue, make_runge_kutta_chebyshev); }
 
 }  // namespace furrow

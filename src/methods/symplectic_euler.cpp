@@ -33,10 +33,12 @@ class SymplecticEuler final : public Method {
   State now_, next_;
 };
 
-}  // namespace
-
 std::unique_ptr<Method> make_symplectic_euler(const Tolerances& /*tolerances*/) {
   return std::make_unique<SymplecticEuler>();
 }
+
+}  // namespace
+
+FURROW_METHODS(symplectic_euler) { add_method(catalogue, make_symplectic_euler); }
 
 }  // namespace furrow

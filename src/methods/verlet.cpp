@@ -50,8 +50,10 @@ class Verlet final : public Method {
   bool started_ = false;
 };
 
+std::unique_ptr<Method> make_verlet(const Tolerances& /*tolerances*/) { return std::make_unique<Verlet>(); }
+
 }  // namespace
 
-std::unique_ptr<Method> make_verlet(const Tolerances& /*tolerances*/) { return std::make_unique<Verlet>(); }
+FURROW_METHODS(verlet) { add_method(catalogue, make_verlet); }
 
 }  // namespace furrow

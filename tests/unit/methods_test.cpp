@@ -107,7 +107,7 @@ struct Recurrence {
 
 TEST(Pece, IsTheRecurrenceWrittenOut) {
   const Oscillator system(2, 0.1);
-  const auto method = make_pece();
+  const auto method = make_method("pece");
   State y{1, 0};
   Recurrence hand{2, 0.1, 0.05};
   for (int n = 0; n < 50; ++n) {
@@ -119,7 +119,7 @@ TEST(Pece, IsTheRecurrenceWrittenOut) {
 }
 
 TEST(Pece, FirstStepIsHeun) {
-  const auto method = make_pece();
+  const auto method = make_method("pece");
   const Oscillator system(1, 0);
   State y{1, 0};
   method->step(system, 0, y, 0.5);
@@ -128,14 +128,14 @@ TEST(Pece, FirstStepIsHeun) {
 }
 
 TEST(Pece, StartsAgainAfterARestart) {
-  const auto used = make_pece();
+  const auto used = make_method("pece");
   const Oscillator system(1, 0);
   State y{1, 0};
   advance(*used, system, y, 0, 0.1, 5);
   used->restart();
   State same = y;
   used->step(system, 0.5, y, 0.1);
-  make_pece()->step(system, 0.5, same, 0.1);
+  make_method("pece")->step(system, 0.5, same, 0.1);
   EXPECT_EQ(y, same);
 }
 
@@ -143,7 +143,7 @@ TEST(Pece, StartsAgainAfterARestart) {
 TEST(Pece, StaysOfSecondOrderWithUnequalSteps) {
   const auto error = [](int steps) {
     const Oscillator system(1, 0.1);
-    const auto method = make_pece();
+    const auto method = make_method("pece");
     State y{1, 0};
     double t = 0;
     for (int k = 0; k < steps; ++k) {
@@ -191,7 +191,7 @@ TEST(Restart, ForgetsAStateThatWasNotFinite) {
 // Without damping: velocity Verlet is symmetric, so the way back is the way there with the velocity reversed.
 TEST(Verlet, GoesBackTheWayItCameWithoutDamping) {
   const Oscillator system(1, 0);
-  const auto method = make_verlet();
+  const auto method = make_method("verlet");
   State y{1, 0.25};
   advance(*method, system, y, 0, 0.3, 1000);
   EXPECT_GT(std::fabs(y[0] - 1), 1e-3);
@@ -204,7 +204,7 @@ TEST(Verlet, GoesBackTheWayItCameWithoutDamping) {
 
 TEST(Verlet, KeepsItsOwnEnergyWithoutDamping) {
   const Oscillator system(1, 0);
-  const auto method = make_verlet();
+  const auto method = make_method("verlet");
   State y{1, 0};
   const double h = 1;
   for (int n = 0; n < 1000; ++n) {
@@ -221,7 +221,7 @@ double pece_growth(std::complex<double> z) {
 }
 
 double size_after(const OdeSystem& system, State y, double h, int steps) {
-  const auto method = make_pece();
+  const auto method = make_method("pece");
   advance(*method, system, y, 0, h, steps);
   double sum = 0;
   for (const double v : y) sum += v * v;
