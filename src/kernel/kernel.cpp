@@ -85,6 +85,7 @@ Contact Kernel::contact_of(const TouchBlock& c, int k) {
 }
 
 void Kernel::for_each_contact(double t, const State& y, const Visit& visit) const {
+  const std::scoped_lock alone(lock_.mutex);
   Contact one;
   for_each_touch(t, y, [&](const TouchBlock& c) {
     for (int k = 0; k < c.count; ++k) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "kernel/loops.h"
@@ -15,9 +16,8 @@
 
 namespace furrow {
 
-// For one thread at a time, its const functions too: all work in rooms of the kernel. As many kernels as one likes may
-// be used at once. flow and jump are for the default floating-point environment: rounding to nearest, no traps (see
-// floating_point.h).
+// Its const functions work in rooms of the kernel, one caller at a time: others wait. flow and jump are for the default
+// floating-point environment: rounding to nearest, no traps (see floating_point.h).
 class Kernel final : public Solver {
  public:
   Kernel(std::shared_ptr<const Parts> parts, const Search& search);
@@ -121,6 +121,15 @@ class Kernel final : public Solver {
   bool watched_ = false;
   Survey survey_;
   std::vector<ContactExtremes> chunk_seen_;
+
+  // A copy has a lock of its own.
+  struct Lock {
+    Lock() = default;
+    Lock(const Lock& /*other*/) {}
+    Lock& operator=(const Lock& /*other*/) { return *this; }
+    std::mutex mutex;
+  };
+  mutable Lock lock_;
 
   // Caches: they hold nothing that a result depends on.
   mutable NeighbourSearch search_;

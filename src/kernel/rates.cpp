@@ -7,6 +7,7 @@
 namespace furrow {
 
 void Kernel::flow(double t, const State& y, State& dydt) const {
+  const std::scoped_lock alone(lock_.mutex);
   add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
 }
 

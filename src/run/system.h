@@ -11,8 +11,9 @@
 
 namespace furrow {
 
-// A value: a copy has a discrete state of its own. rhs and jump are for the default floating-point environment:
-// rounding to nearest, no traps (see floating_point.h); run() and prepare() see to it themselves.
+// A value: a copy has a discrete state of its own. Several threads may call its const functions at once. rhs and jump
+// are for the default floating-point environment: rounding to nearest, no traps (see floating_point.h); run() and
+// prepare() see to it themselves.
 class System : public OdeSystem {
  public:
   // With the scene's solver.
