@@ -1,4 +1,5 @@
-// Nearest points and signed distances. Unit vectors n point from the disc or node to the other part.
+// Nearest points and signed distances. Unit vectors n point from the disc or node to the other part, from inside of a
+// rectangle against the nearest way out.
 #pragma once
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "methods/method.h"
+#include "physics/impact.h"
 #include "program/commands.h"
 #include "program/explain_line.h"
 #include "program/explain_validity.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/impact.h"
 #include "program/explain_line.h"
 #include "run/observe.h"
 #include "run/stiffness.h"

@@ -28,7 +28,7 @@ Body body_a(const Moment& now, const ContactId& pair) {
 
 // ---- geometry ----
 
-Approach between_discs(const Moment& now, const ContactId& pair) {
+Proximity between_discs(const Moment& now, const ContactId& pair) {
   const Body a = disc_of(now, pair.a);
   const Body b = disc_of(now, pair.b);
   const double within = now.parts.disc.radius[pair.a] + now.parts.disc.radius[pair.b];  // m, distance at touch
@@ -38,7 +38,7 @@ Approach between_discs(const Moment& now, const ContactId& pair) {
   const double distance2 = dx * dx + dy * dy;
   if (!(distance2 < reach * reach)) return {};
   const double distance = std::sqrt(distance2);
-  Approach found;
+  Proximity found;
   found.near = true;
   found.touching = distance2 < within * within;
   found.overlap = within - distance;
@@ -48,9 +48,9 @@ Approach between_discs(const Moment& now, const ContactId& pair) {
 }
 
 // The surface of b is `distance` from the point of a; a disc reaches it by its radius, a node by nothing.
-Approach at_surface(const Moment& now, const ContactId& pair, double distance, double nx, double ny) {
+Proximity at_surface(const Moment& now, const ContactId& pair, double distance, double nx, double ny) {
   const double gap = distance - (of_disc(pair.kind) ? now.parts.disc.radius[pair.a] : 0);
-  Approach found;
+  Proximity found;
   found.near = gap < now.parts.margin;
   found.touching = gap < 0;
   found.overlap = -gap;
@@ -59,14 +59,14 @@ Approach at_surface(const Moment& now, const ContactId& pair, double distance, d
   return found;
 }
 
-Approach to_wall(const Moment& now, const ContactId& pair) {
+Proximity to_wall(const Moment& now, const ContactId& pair) {
   const Body a = body_a(now, pair);
   const WallPart& w = now.parts.wall[pair.b];
   const Nearest n = nearest_on_wall(a.x, a.y, w.px, w.py, w.nx, w.ny);
   return at_surface(now, pair, n.distance, n.nx, n.ny);
 }
 
-Approach to_plate(const Moment& now, const ContactId& pair) {
+Proximity to_plate(const Moment& now, const ContactId& pair) {
   const Body a = body_a(now, pair);
   const PlatePart& p = now.parts.plate[pair.b];
   const PlateAt at = plate_at(p, now.t, now.discrete.preparing);
@@ -75,7 +75,7 @@ Approach to_plate(const Moment& now, const ContactId& pair) {
 }
 
 // The nearest point of the border; of two equally near the one on the first segment.
-Approach to_lattice(const Moment& now, const ContactId& pair) {
+Proximity to_lattice(const Moment& now, const ContactId& pair) {
   const BorderArrays& border = now.parts.border;
   const Body a = disc_of(now, pair.a);
   const int auxiliary = now.parts.lattice[pair.b].auxiliary_points;
@@ -92,7 +92,7 @@ Approach to_lattice(const Moment& now, const ContactId& pair) {
     segment = s;
   }
   const double distance = std::sqrt(nearest.distance2);
-  Approach found = at_surface(now, pair, distance, nearest.dx / distance, nearest.dy / distance);
+  Proximity found = at_surface(now, pair, distance, nearest.dx / distance, nearest.dy / distance);
   found.segment = segment;
   found.share = nearest.share;
   return found;
@@ -112,7 +112,7 @@ double yielding(const Parts& parts, int node, double share) {
   return parts.node.body[node] < 0 ? 0 : share * share / parts.node.mass[node];
 }
 
-double mass_of(const Parts& parts, const ContactId& pair, const Approach& near) {
+double mass_of(const Parts& parts, const ContactId& pair, const Proximity& near) {
   const double a = of_disc(pair.kind) ? parts.disc.mass[pair.a] : parts.node.mass[pair.a];
   if (pair.kind == disc_disc) {
     const double b = parts.disc.mass[pair.b];
@@ -135,8 +135,8 @@ int law_of(const Parts& parts, const ContactId& pair) {
 
 // ---- kinematics ----
 
-// How the surface of b moves where it is touched, without its spin.
-Body surface_b(const Moment& now, const ContactId& pair, const Approach& near) {
+// How b moves at the contact, without the part from its spin; the spin itself goes along.
+Body surface_b(const Moment& now, const ContactId& pair, const Proximity& near) {
   if (pair.kind == disc_disc) return disc_of(now, pair.b);
   if (of_plate(pair.kind)) {
     const PlateAt at = plate_at(now.parts.plate[pair.b], now.t, now.discrete.preparing);
@@ -156,7 +156,7 @@ double moment_arm(const Moment& now, const ContactId& pair, int disc, double ove
 
 }  // namespace
 
-Approach approach(const Moment& now, const ContactId& pair) {
+Proximity proximity(const Moment& now, const ContactId& pair) {
   switch (pair.kind) {
     case disc_disc:
       return between_discs(now, pair);
@@ -172,7 +172,7 @@ Approach approach(const Moment& now, const ContactId& pair) {
   return to_lattice(now, pair);
 }
 
-Contact contact_of(const Moment& now, const ContactId& pair, const Approach& near) {
+Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near) {
   const Parts& parts = now.parts;
   Contact c;
   c.id = pair;
@@ -185,7 +185,7 @@ Contact contact_of(const Moment& now, const ContactId& pair, const Approach& nea
 
   const Body a = body_a(now, pair);
   const Body b = surface_b(now, pair, near);
-  c.vx = -(b.vx - a.vx);  // of a against b; so written for the sign of a zero
+  c.vx = -(b.vx - a.vx);  // of a against b; -(vb - va), so that a zero has the sign that the kernel gives it
   c.vy = -(b.vy - a.vy);
   c.spin_a = a.spin;
   c.spin_b = b.spin;

@@ -129,7 +129,7 @@ void for_each_pair(const Parts& parts, const std::function<void(const ContactId&
 std::vector<Contact> contacts(const Moment& now) {
   std::vector<Contact> touching;
   for_each_pair(now.parts, [&](const ContactId& pair) {
-    const Approach near = approach(now, pair);
+    const Proximity near = proximity(now, pair);
     if (near.touching) touching.push_back(contact_of(now, pair, near));
   });
   return touching;

@@ -25,7 +25,7 @@ class Slots {
     auto next = discrete_.held.begin();
     const Moment now{parts_, layout_, discrete_, t, y_};
     for_each_pair(parts_, [&](const ContactId& pair) {
-      const bool near = approach(now, pair).near;
+      const bool near = proximity(now, pair).near;
       const bool holds = next != discrete_.held.end() && same(*next, pair);
       if (holds) {
         if (near) next->near_at = discrete_.jumps;
@@ -76,7 +76,7 @@ bool return_springs(const Moment& now, State& y) {
     const ContactId pair{static_cast<ContactKind>(held.kind), held.a, held.b};
     double& spring = y[now.layout.spring_of(held.slot)];
     const double before = spring;
-    const Approach near = approach(now, pair);
+    const Proximity near = proximity(now, pair);
     if (near.touching) {
       const Contact c = contact_of(now, pair, near);
       const ContactLaw& law = now.parts.law[c.law];
@@ -102,7 +102,8 @@ double energy_on_lattices(const Moment& now) {
   return energy;
 }
 
-// Links over their strength. A torn segment of the border lets go of the disc on it, and of what that contact held.
+// Links over their strength. A torn segment of the border has only its end nodes left; what energy the contacts there
+// lose by it is booked as torn.
 std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& y) {
   const LinkArrays& link = now.parts.link;
   std::vector<Tear> tears;
@@ -133,6 +134,8 @@ bool Reference::torn(int link) const { return is_torn(discrete_, link); }
 Reference::Reference(std::shared_ptr<const Parts> parts)
     : Solver(parts, make_layout(*parts)), discrete_(initial_discrete_state(layout_)) {}
 
+// First slots, then springs, then the survey, then tears: springs are cut to the limit of a torn border at the next
+// jump.
 JumpReport Reference::jump(double t, State& y) {
   const Moment now{*parts_, layout_, discrete_, t, y};
   JumpReport report;

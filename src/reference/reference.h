@@ -1,9 +1,13 @@
 // The reference solver: flow and jump of a scene, every pair, contact after contact, as MODEL.md has it. It is there to
 // be read and to judge the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
 //
+// Read physics/contact.h (the law), system/contact.h (which radius, mass, arm and normal), system/discrete.h (the life
+// of a tangential spring), system/layout.h (the state and the balance of energy), system/order.h (the order of sums),
+// then
+//
 //   contact.cpp   one contact: where two parts touch, how they move there, and what the law answers
 //   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger
-//   jump.cpp      after each accepted step: springs returned to the Coulomb limit, slots handed out, links torn
+//   jump.cpp      after each accepted step: slots handed out, springs returned to the Coulomb limit, links torn
 #pragma once
 
 #include <functional>
@@ -34,18 +38,18 @@ Body disc_of(const Moment& now, int disc);
 Body node_of(const Moment& now, int node);
 
 // How the two of a pair are to each other.
-struct Approach {
+struct Proximity {
   bool near = false;  // closer than Parts::margin
   bool touching = false;
-  double overlap = 0;     // m, if they touch
-  double nx = 0, ny = 0;  // unit vector from a to b
+  double overlap = 0;     // m; negative if they are apart
+  double nx = 0, ny = 0;  // unit vector from a to b, see system/contact.h
   int segment = -1;       // disc-lattice: the nearest one
   double share = 0;       // -, disc-lattice: where on it
 };
-Approach approach(const Moment& now, const ContactId& pair);
+Proximity proximity(const Moment& now, const ContactId& pair);
 
 // The contact of a pair that touches.
-Contact contact_of(const Moment& now, const ContactId& pair, const Approach& near);
+Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near);
 
 // Every pair that there can be, in the order of the sums: see system/order.h.
 void for_each_pair(const Parts& parts, const std::function<void(const ContactId&)>& for_pair);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/impact.h"
 #include "run/observe.h"
 
 namespace furrow {

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "physics/impact.h"
 #include "run/observe.h"
 #include "scene/wording.h"
 

@@ -3,7 +3,7 @@
 // The tangent is t = (-ny, nx). Body a gets the force -Fn n + Ft t, body b the opposite, shared by the two nodes of a
 // border segment as 1 - share and share.
 //
-//   kind          R*               m*                                      arm of a         n, from a to b
+//   kind          R*               m*                                      arms of a, b          n
 //   disc-disc     Ra Rb/(Ra + Rb)  ma mb/(ma + mb)                         Ra - d/2, Rb - d/2   between the centres
 //   disc-wall     Ra               ma                                      Ra - d           against the wall's normal
 //   disc-plate    Ra               ma                                      Ra - d           to the nearest point
@@ -11,7 +11,9 @@
 //   node-wall     contact_radius   ma                                      0                against the wall's normal
 //   node-plate    contact_radius   ma                                      0                to the nearest face
 //
-// Fixed nodes have an infinite mass. With `lever = "radius"` an arm is the whole radius.
+// n is a unit vector from a to b; of a centre inside a plate the inward normal of the nearest face, of one on the far
+// side of a border the direction to the contact point. Fixed nodes have an infinite mass. With `lever = "radius"` an
+// arm is the whole radius.
 #pragma once
 
 #include <array>

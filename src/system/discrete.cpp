@@ -61,10 +61,13 @@ bool belongs_to(const DiscreteState& d, const Parts& parts) {
   for (const DiscreteState::Held& h : d.held) {
     const Counts most = counts_of(parts, h.kind);
     good = good && take(h.slot) && h.a >= 0 && h.a < most.a && h.b >= 0 && h.b < most.b;
+    good = good && (h.kind != disc_disc || h.a < h.b);
+    good = good && (h.kind < node_wall || parts.node.body[h.a] >= 0);
   }
   for (std::size_t k = 1; k < d.held.size(); ++k) good = good && before(d.held[k - 1], d.held[k]);
   for (const int link : d.torn) good = good && link >= 0 && link < parts.link.count();
-  good = good && std::is_sorted(d.torn.begin(), d.torn.end());
+  good = good && std::is_sorted(d.torn.begin(), d.torn.end()) &&
+         std::adjacent_find(d.torn.begin(), d.torn.end()) == d.torn.end();
   return good;
 }
 

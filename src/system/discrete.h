@@ -1,13 +1,15 @@
 // What of a scene changes beside the flat state: which links are torn, which contact holds which tangential spring.
 //
 // The life of a tangential spring. A contact gets a slot, a place for its spring in the state, with xi = 0, at the
-// first jump that finds its gap below Parts::margin: one step before it can touch. While the two touch, xi' = vt; while
-// they do not, xi' = 0. After each accepted step a jump returns |xi| to mu Fn / St, and sets xi of an open contact to
-// zero. So a contact that opens and closes within one step keeps its spring; whoever wants it otherwise locates events
-// (run/events.h). A contact that has been further away than the margin for more than `quiet_jumps` jumps gives its slot
-// back: longer than the history of any multistep method, so that nothing that it remembers of the old contact reaches
-// the new one. A contact without a slot has no spring: xi = 0. Slots are a stack: the one given back last is taken
-// next.
+// first jump that finds its gap below Parts::margin, as a rule before it touches; a faster pair has no spring until the
+// next jump. run() jumps at its start too. While the two touch, xi' = vt; while they do not, xi' = 0. After each
+// accepted step a jump returns |xi| to mu Fn / St, and sets xi of an open contact to zero. So a contact that opens and
+// closes within one step keeps its spring; whoever wants it otherwise locates events (run/events.h). It is one spring
+// for a disc and a plate or lattice, whichever face or segment is the nearest: xi goes on along the new tangent. A
+// multistep method keeps its history when a spring is returned, so its next step may still carry the old slip. A
+// contact that has been further away than the margin for more than `quiet_jumps` jumps gives its slot back: longer than
+// the history of any multistep method, so that nothing that it remembers of the old contact reaches the new one. A
+// contact without a slot has no spring: xi = 0. Slots are a stack: the one given back last is taken next.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +32,7 @@ struct DiscreteState {
   std::vector<int> torn;    // links, ascending
   std::vector<Held> held;   // contacts that hold a slot, sorted by (kind, a, b)
   std::vector<int> unused;  // slots, the next one last
-  std::uint32_t jumps = 0;  // so many were made
+  std::uint32_t jumps = 0;  // that handed out slots: all, if there is friction
   bool preparing = false;   // plates stand still and links do not tear
   int spring_count() const { return static_cast<int>(held.size() + unused.size()); }
   void history(HistoryVisitor& visit);
@@ -58,8 +60,8 @@ struct JumpReport {
   std::vector<Tear> torn;
   bool springs_changed = false;
   Growth grown;                    // of the state, for contacts that found no room in it
-  const Survey* survey = nullptr;  // of the state that was left, if it was asked for
-  State* rates = nullptr;  // at the state that was left, if they are known: the solver's own room, to be swapped out
+  const Survey* survey = nullptr;  // of the state as it is handed on, before links tear; if it was asked for
+  State* rates = nullptr;  // at the state that is handed on, if they are known: a buffer of the solver, to be swapped
   bool flow_jumped() const { return !torn.empty(); }
 };
 

@@ -3,8 +3,11 @@
 //   x, y, vx, vy  one number for each disc, then for each free node          m, m/s
 //   spin          one for each disc, only if some contact has friction       rad/s
 //   springs       one for each slot, only if some contact has friction       m
-//                 then a few dummy slots that stay 0: contacts without a slot read and write there
-//   ledger        energies handed over since t = 0, only if asked for        J
+//                 then a few dummy slots, read as 0: for the kernel's contacts without a slot
+//   ledger        energies since t = 0, only if asked for                    J
+//
+// The balance of energy: kinetic + gravity + loads + springs of links and contacts + link_damping + contact_viscous +
+// friction_work + rolling_work + tear_energy - plate_work - stiffening is constant, but for the error of the method.
 #pragma once
 
 #include "system/ode.h"

@@ -6,14 +6,17 @@
 //   of a disc  first its pairs with discs of its own block, and those of which it is the first disc, in order; then its
 //              boundary contributions: pairs whose first disc is of an earlier block, in order; then walls, plates,
 //              lattices
-//   of a node  its load, then contacts in order, then links in order
-//   powers     of pairs block by block, by the block of the first disc, the blocks added in turn; then all others
-//   springs returned by a jump: as powers, but all others are added to the first block before the blocks are
+//   of a node  its load, then contacts in order (of a border segment node a before b), then links in order
+//   rates      the sum, times 1/m or 1/I; gravity is taken off last
+//   powers     of disc pairs block by block, by the block of the first disc, the blocks added in turn; then all others
+//   heat of springs returned by a jump: as powers, but the first block starts from the ledger's value, and all others
+//              are added to it before the other blocks are
+//   plate work, link damping, tears: one after the other
 #pragma once
 
 namespace furrow {
 
-// So many at least fit the second-level cache.
+// 4096 discs and their contacts fit in a second-level cache.
 inline constexpr int discs_per_block = 4096;
 
 inline int block_of(int disc) { return disc / discs_per_block; }

@@ -22,6 +22,7 @@ SUITES = [
     ("unit, no vectors", ["FURROW_VECTORS=none", "{home}/tests/unit_tests", *GTEST], ["tests/unit_tests"]),
     ("command line", ["{home}/tests/command_line_tests", *GTEST], ["furrow", "tests/command_line_tests"]),
     ("determinism", ["{home}/tests/determinism/state_hashes", "{tree}/validation/scenes"], ["tests/determinism/state_hashes"]),
+    ("kernel is reference", ["{home}/tests/property_tests", *GTEST, "--gtest_filter=KernelIsReference.*:*PapersScenes*"], ["tests/property_tests"]),
     ("verification", ["{home}/verification/verification_tests", *GTEST], ["verification/verification_tests"]),
 ]  # fmt: skip
 # Scenes whose files are compared where no test noticed, and until when they run, s.

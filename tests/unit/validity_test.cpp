@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/impact.h"
 #include "run/stiffness.h"
 #include "scenes.h"
 
