@@ -169,6 +169,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
   if (end.ending == Ending::stopped && !end.cut && !end_in_sight) save_now();
   series.close(end.ending != Ending::stopped);
   write_state(request.directory, system, end.time, y);
+  validity.conclude();
   json["warnings"] = warnings;
   json["state_size"] = system.size();
   json["steps"] = end.steps;
