@@ -10,7 +10,7 @@
 // with overlap d > 0, approach speed d', slip speed vt, tangential displacement xi, relative spin w.
 // Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form
 // of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525). Valid for small overlap against the radius; the paper's soil
-// is so soft that d reaches 0.8 R, where this is a penalty law.
+// is so soft that d reaches 1.6 R, where this is a penalty law.
 #pragma once
 
 #include <cmath>
