@@ -2,7 +2,8 @@
 // on the plate. Then the CPU time of a step: that of the whole process for all steps, less that for one step.
 //
 // usage: compare DECKS WORK FURROW RESULT ROUNDS    called by scripts/rivals; RESULT: in Google Benchmark's form
-// Exit codes: 0 good; 1 furrow itself failed; 4 input or output. A rival that fails or does not agree is a result.
+// Exit codes: 0 good; 1 furrow itself failed, or does not agree with its own runs; 4 input or output. A rival that
+// fails or does not agree is a result.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -75,7 +76,9 @@ double push_of(const std::vector<std::vector<double>>& rows, double steps_per_un
     sum += row[column];
     ++count;
   }
-  if (count < 100) throw std::runtime_error("too few forces");
+  // One in a hundred steps at the least, and up to the end: what is missing would count as what the rest is.
+  if (count < (push_steps - first_pushed) / 100 || rows.back()[0] * steps_per_unit < 0.99 * push_steps)
+    throw std::runtime_error("forces are missing");
   return std::fabs(sum / count);
 }
 
@@ -279,7 +282,8 @@ int compare(const fs::path& decks, const fs::path& work, const fs::path& program
   furrow::OutputFile file = furrow::OutputFile::replacing(result);
   file << json.dump(1) << "\n";
   file.finish();
-  return entries[0].failed || entries[1].failed ? 1 : 0;
+  const auto own_fails = [](const Entry& one) { return one.failed || !one.json.at("agrees").get<bool>(); };
+  return own_fails(entries[0]) || own_fails(entries[1]) ? 1 : 0;
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "methods/stability.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "methods/method.h"
 
@@ -27,26 +29,66 @@ class UnitOscillator final : public OdeSystem {
   double zeta_;
 };
 
-// Growth over the later half of some thousand steps. A method that keeps the amplitude, like Verlet, swings by a
-// bounded factor; one that is unstable by more than 0.1 % of its limit has grown far beyond it. Most runs end sooner:
-// no method here lets a stable solution swell by 1e8 on its way, and one that has shrunk to 1e-12 in all directions is
-// not growing.
-bool grows(const std::string& name, double zeta, double h) {
+// Reads or sets all states that a method remembers, one after the other.
+class Carried final : public HistoryVisitor {
+ public:
+  Carried(std::vector<double>& numbers, bool sets) : numbers_(numbers), sets_(sets) {}
+  void number(std::string_view /*name*/, double& /*value*/) override {}
+  void integer(std::string_view /*name*/, std::int64_t& /*value*/) override {}
+  void text(std::string_view /*name*/, std::string& /*value*/) override {}
+  void integers(std::string_view /*name*/, std::vector<std::int64_t>& /*values*/) override {}
+  void state(std::string_view /*name*/, State& values) override {
+    for (double& value : values) {
+      if (sets_)
+        value = numbers_[next_++];
+      else
+        numbers_.push_back(value);
+    }
+  }
+
+ private:
+  std::vector<double>& numbers_;
+  bool sets_;
+  std::size_t next_ = 0;
+};
+
+std::vector<double> carried(Method& method, State& y) {
+  std::vector<double> numbers;
+  Carried visitor(numbers, false);
+  visitor("y", y);
+  method.history(visitor);
+  return numbers;
+}
+
+void carry(Method& method, State& y, std::vector<double> numbers) {
+  Carried visitor(numbers, true);
+  visitor("y", y);
+  method.history(visitor);
+}
+
+// A step as a matrix on all that it leads from one to the next: on a linear system it is linear.
+Eigen::MatrixXd step_matrix(const std::string& name, double zeta, double h) {
+  constexpr int opening_steps = 8;  // the longest history is of five
   const auto method = make_method(name);
   const UnitOscillator system(zeta);
-  constexpr int steps = 4000;
   State y{1, 1};
-  double early = 0;
-  double late = 0;
-  for (int n = 0; n < steps; ++n) {
-    method->step(system, n * h, y, h);
-    const double size = std::fabs(y[0]) + std::fabs(y[1]);
-    if (!(size < 1e8)) return true;
-    if (size < 1e-12) return false;
-    if (n < steps / 2) early = std::max(early, size);
-    if (n >= steps / 2) late = std::max(late, size);
+  for (int n = 0; n < opening_steps; ++n) method->step(system, n * h, y, h);
+  const std::size_t size = carried(*method, y).size();
+  Eigen::MatrixXd matrix(size, size);
+  for (std::size_t k = 0; k < size; ++k) {
+    std::vector<double> unit(size, 0.0);
+    unit[k] = 1;
+    carry(*method, y, unit);
+    method->step(system, opening_steps * h, y, h);
+    const std::vector<double> image = carried(*method, y);
+    for (std::size_t i = 0; i < size; ++i) matrix(i, k) = image[i];
   }
-  return late > early * std::exp(growth_seen * steps / 2);
+  return matrix;
+}
+
+bool grows(const std::string& name, double zeta, double h) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(step_matrix(name, zeta, h), false);
+  return !(solver.eigenvalues().cwiseAbs().maxCoeff() <= std::exp(growth_seen));
 }
 
 // In units of 1/omega. Steps lengthen until one grows: a region of stability need not begin at zero, and what lies

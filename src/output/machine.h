@@ -32,7 +32,10 @@ inline double seconds(clockid_t clock) {
   clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-inline double cpu_seconds() { return seconds(CLOCK_THREAD_CPUTIME_ID); }  // of this thread: runs go side by side
+// Of this thread, since runs go side by side; of the whole process for a run that shares its steps among threads.
+inline double cpu_seconds(bool with_other_threads = false) {
+  return seconds(with_other_threads ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_THREAD_CPUTIME_ID);
+}
 inline double wall_seconds() { return seconds(CLOCK_MONOTONIC); }
 
 }  // namespace furrow

@@ -99,7 +99,8 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
     return RunOutcome{ended, reason, json.dump(2) + "\n"};
   };
 
-  const double began = cpu_seconds();
+  const bool shares = asked.search.threads > 1;
+  const double began = cpu_seconds(shares);
   std::optional<Prepared> prepared;
   try {
     if (saved)
@@ -118,7 +119,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
   json["links"] = system.parts().link.count();
   json["settling_time"] = prepared->settling_time;
   json["settling_steps"] = prepared->settling_steps;
-  json["settling_cpu_seconds"] = cpu_seconds() - began;
+  json["settling_cpu_seconds"] = cpu_seconds(shares) - began;
   json["surface"] = nullptr;
   if (prepared->surface) json["surface"] = *prepared->surface;
   std::vector<std::string> warnings;
@@ -128,7 +129,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
   }
   for (const std::string& warning : warnings) request.warn(warning);
 
-  const double cpu = cpu_seconds(), wall = wall_seconds();
+  const double cpu = cpu_seconds(shares), wall = wall_seconds();
   Validity validity(system, prepared->scene, [&](const std::string& text) {
     warnings.push_back(text);
     request.warn(text);
@@ -168,13 +169,14 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
   if (end.ending == Ending::stopped && !end.cut && !end_in_sight) save_now();
   series.close(end.ending != Ending::stopped);
   write_state(request.directory, system, end.time, y);
+  validity.conclude();
   json["warnings"] = warnings;
   json["state_size"] = system.size();
   json["steps"] = end.steps;
   json["rhs_evaluations"] = method->evaluations() + end.event_evaluations;
   if (time.locate != Locate::none) json["events"] = end.events;
   json["rejected"] = method->rejections();
-  json["cpu_seconds"] = cpu_seconds() - cpu;
+  json["cpu_seconds"] = cpu_seconds(shares) - cpu;
   json["wall_seconds"] = wall_seconds() - wall;
   json["state_hash"] = hexadecimal(system.state_hash(y));
   add_extremes(json, validity, prepared->scene);

@@ -1,5 +1,7 @@
 #include "report/study.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <exception>
 #include <fstream>
@@ -31,6 +33,7 @@ namespace fs = std::filesystem;
 std::string program_hash() {
   static const std::string hash = [] {
     std::ifstream self("/proc/self/exe", std::ios::binary);
+    if (!self) return "unknown, of process " + std::to_string(getpid());  // shown to be no other's
     std::uint64_t sum = 0xcbf29ce484222325ULL;
     for (std::istreambuf_iterator<char> at(self), end; at != end; ++at)
       sum = (sum ^ static_cast<unsigned char>(*at)) * 0x100000001b3ULL;

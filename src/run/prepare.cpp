@@ -68,6 +68,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
     return !interrupted && t - slow_since < std::max(placed.settle->hold, first_look);
   });
   if (interrupted) throw Interrupted("interrupted while settling");
+  validity.conclude();
   if (std::string warning = overlap_warning(validity, placed); !warning.empty())
     result.warnings.push_back(std::move(warning));
   Sentence text;

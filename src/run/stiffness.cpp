@@ -22,11 +22,6 @@ struct Body {
 
 double greatest_eigenvalue(const Matrix& m) { return Eigen::SelfAdjointEigenSolver<Matrix>(m).eigenvalues()[2]; }
 
-// Fastest decay or oscillation, as a number to compare parts by: |lambda| of the oscillator.
-double fastest_rate(const Oscillator& o) {
-  return o.omega * (o.zeta > 1 ? o.zeta + std::sqrt(o.zeta * o.zeta - 1) : 1);
-}
-
 Oscillator oscillator_of(const Body& body) {
   const double omega2 = greatest_eigenvalue(body.stiffness);
   const double rate = greatest_eigenvalue(body.damping);
@@ -95,6 +90,14 @@ void add_links(const System& system, const State& y, std::vector<Body>& bodies) 
 }
 
 }  // namespace
+
+void StiffPart::history(HistoryVisitor& visit) {
+  visit("omega", oscillator.omega);
+  visit("zeta", oscillator.zeta);
+  visit("name", name);
+  visit("contacts", contacts);
+  visit("spins", spins);
+}
 
 StiffPart stiffest_part(const System& system, double t, const State& y) {
   std::vector<Body> bodies(static_cast<std::size_t>(system.parts().bodies()));

@@ -14,6 +14,7 @@ struct StiffPart {
   std::string name;
   int contacts = 0;    // of a disc
   bool spins = false;  // the fastest motion is mainly a spin
+  void history(HistoryVisitor& visit);
 };
 
 // The disc or node with the fastest motion by contacts and links, each alone among held neighbours: the greatest

@@ -12,10 +12,11 @@
 namespace furrow {
 namespace {
 
-constexpr long looks_every = 200;     // steps, at the energy
-constexpr double renew_beyond = 1.1;  // times what the step was judged by
-constexpr double round_off = 1e-10;   // of the sum of all energies: below, a residual is none;
-constexpr double first_touch = 1e-6;  // the same, of m v^2 / 2 of the lightest body at the greatest speed
+constexpr long looks_every = 200;      // steps, at the energy
+constexpr double renew_beyond = 1.1;   // times what was there when it was looked at last
+constexpr double judge_beyond = 1.25;  // times the rate that the step was judged by
+constexpr double round_off = 1e-10;    // of the sum of all energies: below, a residual is none;
+constexpr double first_touch = 1e-6;   // the same, of m v^2 / 2 of the lightest body at the greatest speed
 
 struct Rule {
   WatchKind kind;
@@ -119,8 +120,16 @@ Verdict Watched::verdict() const {
   return worst > std::max(ends_above, allowed.value_or(0)) ? Verdict::broken : Verdict::warned;
 }
 
+struct Validity::Stiffest {
+  StiffPart part{{0, 0}, {}};
+  double time = 0;         // s
+  double judged_rate = 0;  // 1/s
+};
+
+Validity::~Validity() { system_.watch(false); }
+
 Validity::Validity(System& system, const Scene& scene, Warn warn)
-    : system_(system), scene_(scene), warn_(std::move(warn)) {
+    : system_(system), scene_(scene), warn_(std::move(warn)), stiffest_(std::make_unique<Stiffest>()) {
   system_.watch(true);
   system_.survey() = {};
   system_.survey().fast = 0.9 * least_passing_speed(system.parts());
@@ -172,6 +181,9 @@ void Validity::history(HistoryVisitor& visit) {
   visit("since booked", since_booked_);
   visit("stepped overlap", stepped_overlap_);
   visit("stepped contacts", stepped_contacts_);
+  stiffest_->part.history(visit);
+  visit("stiffest at", stiffest_->time);
+  visit("judged rate", stiffest_->judged_rate);
   visit("arrival speed", arrival_speed_);
   visit("known overlap", system_.survey().known_overlap);
   visit("reach", system_.survey().reach);
@@ -265,9 +277,21 @@ void Validity::look_at_step(const Step& step, const Survey& survey) {
   stepped_overlap_ = std::max(stepped_overlap_, survey.seen.overlap);
   stepped_contacts_ = std::max(stepped_contacts_, survey.seen.contacts);
   const StiffPart part = stiffest_part(system_, step.t, step.after);
-  if (part.name.empty()) return;
+  if (part.name.empty() || !(fastest_rate(part.oscillator) > fastest_rate(stiffest_->part.oscillator))) return;
+  stiffest_->part = part;
+  stiffest_->time = step.t;
+  if (fastest_rate(part.oscillator) > judge_beyond * stiffest_->judged_rate) judge_step();
+}
+
+void Validity::judge_step() {
+  const StiffPart& part = stiffest_->part;
+  stiffest_->judged_rate = fastest_rate(part.oscillator);
   const double limit = largest_stable_step(scene_.time.method, part.oscillator);
-  look(WatchKind::step, step.t, step_ / limit, [&] { return allowance(scene_.time.method, part, limit); });
+  look(WatchKind::step, stiffest_->time, step_ / limit, [&] { return allowance(scene_.time.method, part, limit); });
+}
+
+void Validity::conclude() {
+  if (fastest_rate(stiffest_->part.oscillator) > stiffest_->judged_rate) judge_step();
 }
 
 void Validity::look_at_arrival(double t) {

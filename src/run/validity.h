@@ -16,11 +16,13 @@
 // surface. Energy: a ledger closes to the error of the method; a tenth of all energy made is a run about something
 // else. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends. Energy is
 // looked at where rows are written and every 200 steps, since what was made stays in the residual; the step when
-// contacts have come or deepened by a tenth; all else at each step.
+// contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by the
+// fastest that there was; all else at each step.
 #pragma once
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -74,7 +76,7 @@ class Validity {
  public:
   using Warn = std::function<void(const std::string&)>;
   Validity(System& system, const Scene& scene, Warn warn);
-  ~Validity() { system_.watch(false); }
+  ~Validity();
   Validity(const Validity&) = delete;
   Validity& operator=(const Validity&) = delete;
 
@@ -83,6 +85,9 @@ class Validity {
 
   // Looks at the energy; `seen` is of the state at t.
   void book(double t, const Observation& seen);
+
+  // When nothing more comes: what was put off is judged.
+  void conclude();
 
   void history(HistoryVisitor& visit);
 
@@ -103,6 +108,7 @@ class Validity {
   void look_at_plates(double t, const Survey& survey);
   void look_for_crossings(const Step& step, const Survey& survey);
   void look_at_step(const Step& step, const Survey& survey);
+  void judge_step();
   void look_at_arrival(double t);
 
   System& system_;
@@ -120,7 +126,9 @@ class Validity {
   double plate_power_ = 0;                             // W, of the last step
   long since_booked_ = 0;                              // steps
   double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last
-  double arrival_speed_ = 0;                           // m/s, the same
+  struct Stiffest;
+  std::unique_ptr<Stiffest> stiffest_;  // that there was, and by which the step was judged
+  double arrival_speed_ = 0;            // m/s, the same
 };
 
 }  // namespace furrow

@@ -1,5 +1,4 @@
 // Counts and bytes of a scene, known before any work begins, each against a stated limit.
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -18,18 +17,12 @@ constexpr double bytes_of_a_picture = 350;  // of one disc, node or link, in bot
 constexpr double links_of_a_node = 6;
 constexpr std::size_t most_materials = 1000;  // each pair of them has a contact law
 
-std::string rounded(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
-}
-
 using Paths = std::vector<std::string>;
 
 void judge_count(Findings& found, const std::string& path, const std::string& what, double count, double most,
                  const std::string& unit, const Paths& others) {
   if (!(count <= most))
-    found.refuse(path, what + " = " + rounded(count) + ' ' + unit + "; at most " + shortest(most), others);
+    found.refuse(path, what + " = " + rounded(count, 3) + ' ' + unit + "; at most " + shortest(most), others);
 }
 
 double discs_of(const Scene& scene) {

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -30,11 +29,7 @@ constexpr double node_depth = 0.1;  // of the contact radius
 constexpr int most_told = 5;        // faults of one kind
 constexpr double most_pairs = 1e7;  // of border nodes of two lattices
 
-std::string metres(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g m", length);
-  return text;
-}
+std::string metres(double length) { return rounded(length, 3) + " m"; }
 
 class StartJudge {
  public:
@@ -72,11 +67,9 @@ class StartJudge {
 
   void tell_overlaps() {
     if (overlaps_ == 0) return;
-    char share[32];
-    std::snprintf(share, sizeof share, "%.2g", deepest_);
     found_.warning("", std::to_string(overlaps_) + (overlaps_ == 1 ? " contact overlaps" : " contacts overlap") +
-                           " at the start, the deepest by " + share + " of a radius, between " + between_ +
-                           ": the energy of the overlap is let loose");
+                           " at the start, the deepest by " + rounded(deepest_, 2) + " of a radius, between " +
+                           between_ + ": the energy of the overlap is let loose");
   }
 
   // Each pair is found by its larger disc, so that a large one costs no more than what lies around it.

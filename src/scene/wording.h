@@ -18,6 +18,12 @@ inline std::string shortest(double number) {
   return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
+// So many significant digits, as "%.3g" has them: the caller's locale has no say in it, the C library's neither.
+inline std::string rounded(double number, int digits) {
+  char text[64];
+  return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits).ptr};
+}
+
 // A sentence with numbers in it: the caller's global locale has no say in how they look.
 class Sentence : public std::ostringstream {
  public:

@@ -1,6 +1,8 @@
 // The program from outside: exit codes, what goes to which stream, which files are left.
 #include "program.h"
 
+#include <sys/resource.h>
+
 namespace furrow::test {
 namespace {
 
@@ -182,6 +184,47 @@ TEST_F(Program, ThreadsAreForLargeBeds) {
   EXPECT_EQ(hashes[0], hashes[1]);
   EXPECT_EQ(furrow("run wide.toml --threads 0").code, 2);
   EXPECT_NE(text_of(directory_ / "threads_2/scene.toml").find("threads = 2"), std::string::npos);
+}
+
+// Of the whole process, as the operating system counts it: the first thread alone has half of that.
+TEST_F(Program, SecondsOfARunOnTwoThreadsAreThoseOfBoth) {
+  put("bed.toml", R"(title = "A bed"
+[model]
+gravity = 9.81
+[time]
+end = 6e-3
+step = 1e-4
+method = "pece"
+[search]
+threads = 2
+[[material]]
+name = "common"
+density = 1000.0
+young = 2e6
+poisson = 0.2
+[[packing]]
+count = 9000
+radius_min = 0.01
+radius_max = 0.01
+lower_left = [0.0, 0.0]
+upper_right = [3.0, 2.2]
+material = "common"
+seed = 1
+)");
+  const auto used = [] {
+    rusage all{};
+    getrusage(RUSAGE_CHILDREN, &all);
+    return static_cast<double>(all.ru_utime.tv_sec + all.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(all.ru_utime.tv_usec + all.ru_stime.tv_usec);
+  };
+  const double before = used();
+  const Result r = furrow("run bed.toml --out bed");
+  const double process = used() - before;
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto json = nlohmann::json::parse(r.out);
+  const double told = json["settling_cpu_seconds"].get<double>() + json["cpu_seconds"].get<double>();
+  EXPECT_GT(told, 0.75 * process) << "the scene is read and judged in less than the rest";
+  EXPECT_LT(told, 1.01 * process);
 }
 
 TEST_F(Program, MethodsListsTheCatalogue) {

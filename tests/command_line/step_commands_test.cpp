@@ -97,6 +97,14 @@ TEST_F(StepCommands, StabilityOfWhatNothingActsOnSaysSo) {
   EXPECT_NE(out().find("nothing acts on anything here"), std::string::npos) << out();
 }
 
+// A disc that touches the wall at this moment: differences of places see a stiffness there, of their own making.
+TEST_F(StepCommands, StabilityOfAContactThatJustBeginsIsOfNothing) {
+  ASSERT_EQ(furrow("stability " + scene("disc_on_wall") + " --method pece").code, 0) << err();
+  EXPECT_NE(out().find("nothing acts on anything here"), std::string::npos) << out();
+  EXPECT_EQ(row("pece").measured, "any") << out();
+  EXPECT_EQ(out().find("UNSTABLE"), std::string::npos) << out();
+}
+
 TEST_F(StepCommands, AFrameAtUntilIsTakenAndLaterOnesAreNot) {
   put("s.toml", spring(8, 1e-2));
   ASSERT_EQ(furrow("run s.toml --until 0.5 --out here").code, 0) << err();

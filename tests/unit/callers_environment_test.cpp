@@ -4,6 +4,7 @@
 #include <xmmintrin.h>
 
 #include <cfenv>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include "output/run_files.h"
 #include "run/prepare.h"
 #include "run/run.h"
+#include "scene/wording.h"
 #include "scenes.h"
 
 namespace furrow {
@@ -136,6 +138,17 @@ TEST(CallersEnvironment, ItsLocaleChangesNoCharacterOfAMessage) {
   ASSERT_NE(usual.find("in one step of 0.0001 s"), std::string::npos) << usual;
   const CallersLocale locale;
   EXPECT_EQ(message(), usual);
+}
+
+// As C prints it in its own locale; the program of another caller may have set another one.
+TEST(Rounded, IsWhatPrintfSays) {
+  for (const double number : {0.0, 1.0, -2.5, 0.1, 1e-5, 1.23456e-7, 123456.0, 99999.5, 1e100, 0.099999, -1e-300}) {
+    for (const int digits : {2, 3, 6}) {
+      char text[64];
+      std::snprintf(text, sizeof text, "%.*g", digits, number);
+      EXPECT_EQ(rounded(number, digits), text);
+    }
+  }
 }
 
 }  // namespace

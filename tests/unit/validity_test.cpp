@@ -8,49 +8,12 @@
 
 #include "physics/impact.h"
 #include "run/stiffness.h"
-#include "scenes.h"
+#include "watched_run.h"
 
 namespace furrow {
 namespace {
 
 using namespace test;
-
-struct WatchedRun {
-  RunEnd end;
-  std::array<Watched, watch_kinds> watch;
-  RunExtremes extremes;
-  std::vector<std::string> warnings;
-  State y;
-  const Watched& of(WatchKind kind) const { return watch[static_cast<std::size_t>(kind)]; }
-};
-
-WatchedRun watched(Scene scene, const std::string& method, double step, double end) {
-  scene.time.method = method;
-  scene.time.step = step;
-  scene.time.max_step = step;
-  scene.time.end = end;
-  System system(scene);
-  WatchedRun r;
-  r.y = system.initial_state();
-  Validity validity(system, scene, [&](const std::string& text) { r.warnings.push_back(text); });
-  RunPlan plan;
-  plan.end = end;
-  plan.step = step;
-  plan.validity = &validity;
-  const auto made = make_method(method, {scene.time.relative_tolerance, scene.time.absolute_tolerance, step});
-  r.end = run(system, *made, r.y, plan, [&](double t, const State& y, const JumpReport&) {
-    if (system.keeps_ledger()) validity.book(t, observe(system, t, y));  // a row each step
-    return true;
-  });
-  r.watch = validity.watches();
-  r.extremes = validity.extremes();
-  return r;
-}
-
-Scene allowing_all(Scene scene) {
-  scene.allow = Allow{1e9, 1e9, 1e9, 1e9, true, true, true};
-  return scene;
-}
 
 // A disc in the material of scenes.h: E* = 533333.3 Pa with its like, R = 0.1 m, m = 31.4 kg.
 constexpr double modulus = 1e6 / (2 * (1 - 0.0625)), radius = 0.1;

@@ -39,6 +39,7 @@ inline WatchedRun watched(Scene scene, const std::string& method, double step, d
     if (system.keeps_ledger()) validity.book(t, observe(system, t, y));  // a row each step
     return true;
   });
+  validity.conclude();
   r.watch = validity.watches();
   r.extremes = validity.extremes();
   return r;

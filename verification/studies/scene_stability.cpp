@@ -186,6 +186,10 @@ Standing standing(System system, double t, State y, Eigen::Index dense) {
   s.fastest = limit_by_spectrum(s.values, *scheme_of("pece")).second;
   if (s.fastest == 0.0) return s;
   s.driver = driver_of(s.system, t, s.y, s.linearised, eigenvector(s.linearised, s.fastest), s.fastest);
+  if (s.driver.name.empty()) {  // contacts that begin just here: a stiffness of differences alone
+    s.fastest = 0;
+    return s;
+  }
   s.own_growth = own_growth(s);
   return s;
 }
