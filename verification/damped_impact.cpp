@@ -1,11 +1,13 @@
 // A damped disc that may be pulled back (`pull = true`) follows the exact solution of damped_hertz.h: the restitution
 // asked for is the one got, whatever the speed, and at the paper's beta = 20 it creeps out and never leaves.
 //
-//   m d'' = -K d^(3/2) - sqrt(5) beta sqrt(K m) d^(1/4) d'  =>  p = d^(5/4) is a linear oscillator in ds = d^(1/4) dt
-//   e = exp(-pi beta / sqrt(1 - beta^2)),  that is beta = -ln e / sqrt(ln^2 e + pi^2)
-//   lengths in units of L = (m v^2/K)^(2/5), times in L/v:
-//   turn = sqrt(5)/2 sqrt(1 - beta^2):  d_max = p^(4/5) at s = acos(beta)/turn,  t_c = int p^(-1/5) ds from 0 to
-//   pi/turn
+//   m d'' = -K d^(3/2) - sqrt(5) beta sqrt(K m) d^(1/4) d',  so p = d^(5/4) is a linear oscillator in ds = d^(1/4) dt
+//   e = exp(-pi beta / sqrt(1 - beta^2)),  that is  beta = -ln e / sqrt(ln^2 e + pi^2)
+//   turn = sqrt(5)/2 sqrt(1 - beta^2)
+//   d_max = p^(4/5) at s = acos(beta)/turn
+//   t_c = int p^(-1/5) ds from 0 to pi/turn
+//
+// Lengths are in units of L = (m v^2/K)^(2/5), times in L/v.
 //
 // Source: Antypov and Elliott 2011 (Europhys. Lett. 94, 50004); spheres of test 3 of Chung and Ooi 2011 (Granular
 // Matter 13, 643): radius 2.5 mm at 3.9 m/s on a rigid wall.

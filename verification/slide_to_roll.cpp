@@ -1,11 +1,14 @@
 // A disc set down sliding on a plane: friction slows it and turns it until it rolls.
 //
-//   m u' = -mu m g,  c m R^2 omega' = -mu m g a      a: arm of friction, R or, with `lever = "overlap"`, R - d
-//   m u - c m R^2 omega / a stays as it is, so it rolls (u = -a omega) at the end with
-//   u_f = u0 / (1 + c (R/a)^2),   from  t_s = (u0 - u_f) / (mu g)  on
-//   a = R: u_f = 2/3 u0 for a disc, 5/7 for a sphere; lost energy 1/2 m u0 (u0 - u_f), whatever mu
-// The contact carries the weight from the start and its damper is strong enough to slide from the start; d = (m g /
-// K)^(2/3).
+//   m u' = -mu m g
+//   c m R^2 omega' = -mu m g a        a: arm of friction, R or, with `lever = "overlap"`, R - d
+//   m u - c m R^2 omega / a = m u0    stays as it is, so it rolls at the end, u = -a omega, with
+//   u_f = u0 / (1 + c (R/a)^2)        2/3 u0 for a disc, 5/7 u0 for a sphere if a = R
+//   t_s = (u0 - u_f) / (mu g)         from then on
+//   lost 1/2 m u0 (u0 - u_f)          whatever mu
+//   d = (m g / K)^(2/3)               the contact carries the weight from the start
+//
+// The damper is so strong that the disc slides from the start.
 //
 // Source: any textbook of mechanics (the sliding billiard ball); MFiX verification case DEM04.
 #include <cmath>

@@ -1,8 +1,10 @@
 // Where the methods fail: the step at which the solver blows up against the method's amplification factor.
 //
-//   x'' = -2 zeta omega x' - omega^2 x,   one step: [x, x', memory]_(n+1) = M(omega h, zeta) [x, x', memory]_n,
-//   stable if no eigenvalue of M is larger than one; M from the formula of the method (studies/amplification.cpp, which
-//   calls nothing of src/methods)
+//   x'' = -2 zeta omega x' - omega^2 x
+//   [x, x', memory]_(n+1) = M(omega h, zeta) [x, x', memory]_n
+//   stable if no eigenvalue of M is larger than one
+//
+// M comes from the formula of the method (studies/amplification.cpp, which calls nothing of src/methods).
 //
 // Limits in the literature: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations II, IV.2 and V.1.
 #include <unistd.h>

@@ -1,11 +1,15 @@
 // A disc that sticks where it touches: the exact tangential restitution of Mindlin's spring.
 //
-//   Hertz d'' = -K/m d^(3/2) and xi'' = -kappa/m St(d) xi have a common time; in d/d_max the second is hypergeometric,
-//   and e_t = vt'/vt = cos(pi sqrt(1/100 + 24/5 (G*/E*) kappa)) / cos(pi/10),   kappa = 1 + 1/c,   I = c m R^2 one
-//   material: G*/E* = (1 - nu) / (2 (2 - nu))        c = 1/2: e_t = 1 at nu = 0        c = 2/5: e_t = 1 at nu = 1/4 m
-//   vx' = m vx - (1 - e_t) vt m/kappa      I omega' = I omega - (1 - e_t) vt R m/kappa
-// e_t > 1 gains energy: St follows the overlap, so an unloading contact stiffens or weakens a stretched spring for
-// free.
+//   d''  = -K/m d^(3/2)           Hertz
+//   xi'' = -kappa/m St(d) xi      kappa = 1 + 1/c,  I = c m R^2
+//   e_t = vt'/vt = cos(pi sqrt(1/100 + 24/5 (G*/E*) kappa)) / cos(pi/10)
+//   m vx' = m vx - (1 - e_t) vt m/kappa
+//   I omega' = I omega - (1 - e_t) vt R m/kappa
+//   G*/E* = (1 - nu) / (2 (2 - nu)) of one material, so that
+//   e_t = 1 at nu = 0 with c = 1/2, at nu = 1/4 with c = 2/5
+//
+// The first two have a common time; in d/d_max the second is hypergeometric. e_t > 1 gains energy: St follows the
+// overlap, so an unloading contact stiffens or weakens a stretched spring for free.
 //
 // Source: solved here; a special case of Maw, Barber and Fawcett 1976 (Wear 38, 101) with all of the contact sticking.
 #include <algorithm>

@@ -1,13 +1,20 @@
 // Hertz-Mindlin contact without slip, with viscous damping and the Coulomb limit.
 //
-//   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j      1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
-//   1/R* = 1/R_i + 1/R_j                            1/m* = 1/m_i + 1/m_j
-//   Fe = 4/3 E* sqrt(R*) d^(3/2)       Sn = 2 E* sqrt(R* d)       Fv = 2 sqrt(5/6) beta sqrt(Sn m*) d'
-//   Fn = max(0, Fe + Fv)               St = 8 G* sqrt(R* d)
-//   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu Fn
-//   M  = -mu_r R* Fn w / sqrt(w^2 + w0^2)           (R* is also R_i R_j/(R_i + R_j), the rolling radius)
+//   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j
+//   1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
+//   1/R* = 1/R_i + 1/R_j
+//   1/m* = 1/m_i + 1/m_j
 //
-// with overlap d > 0, approach speed d', slip speed vt, tangential displacement xi, relative spin w.
+//   Fe = 4/3 E* sqrt(R*) d^(3/2)
+//   Sn = 2 E* sqrt(R* d)
+//   Fv = 2 sqrt(5/6) beta sqrt(Sn m*) d'
+//   Fn = max(0, Fe + Fv)
+//   St = 8 G* sqrt(R* d)
+//   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu Fn
+//   M  = -mu_r R* Fn w / sqrt(w^2 + w0^2)
+//
+// with overlap d > 0, approach speed d', slip speed vt, tangential displacement xi, relative spin w. R* is also
+// R_i R_j/(R_i + R_j), the rolling radius.
 // Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form
 // of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525). Valid for small overlap against the radius; the paper's soil
 // is so soft that d reaches 0.8 R, where this is a penalty law.
@@ -130,9 +137,11 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
   return f;
 }
 
-// W, what one contact takes or gives, by cause. The tangential spring holds 1/2 St xi^2; it changes by the slip,
-// St xi vt, and because St, which goes with sqrt(d), follows the overlap: 1/2 xi^2 dSt/dt = 1/4 xi^2 St d'/d, the
-// `stiffening`, which no force pays for: a property of Mindlin's law without rescaling.
+// W, what one contact takes or gives, by cause. The tangential spring holds 1/2 St xi^2, and St goes with sqrt(d):
+//
+//   d/dt (1/2 St xi^2) = St xi vt + 1/4 xi^2 St d'/d
+//
+// The second term, `stiffening`, is paid for by no force: a property of Mindlin's law without rescaling.
 struct TouchPowers {
   double viscous;     // of the normal damper
   double sticking;    // of the tangential damper, while the contact sticks
@@ -181,7 +190,9 @@ inline double elastic_energy(const ContactLaw& law, double reduced_radius, doubl
 
 // -: what damping leaves of the depth of a head-on impact, as d^(5/4): with z = d^(5/4) this law is a linear oscillator
 // of damping ratio beta (Antypov and Elliott 2011, EPL 94, 50004), whose first peak is
-//   exp(-beta/r atan(r/beta)),  r = sqrt(1 - beta^2),   or with r = sqrt(beta^2 - 1) and artanh beyond beta = 1.
+//
+//   exp(-beta/r atan(r/beta)),    r = sqrt(1 - beta^2)
+//   exp(-beta/r artanh(r/beta)),  r = sqrt(beta^2 - 1),  beyond beta = 1
 inline double impact_factor(const ContactLaw& law) {
   const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
   const double r = std::sqrt(std::fabs(1 - beta * beta));

@@ -5,7 +5,8 @@
 // of order 4, for two evaluations (Hairer, Norsett and Wanner, Solving ODEs I, II.6). The others are approached by
 // shorter and shorter steps. Behind a touch, where the force is a fractional power of the time, steps are graded,
 //
-//   t = t_touch + T s^q,  s uniform,  q = 2 without and 4 with damping:  order min(p, q (alpha + 1))
+//   t = t_touch + T s^q,  s uniform,  q = 2 without and 4 with damping
+//   order min(p, q (alpha + 1))
 //
 // with alpha = 3/2 for Hertz's law, 1/4 with damping in sqrt(Sn), so that any p up to 5 is restored. T is a quarter of
 // the contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5), to a power of two. Not located: a disc
