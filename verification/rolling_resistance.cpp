@@ -32,14 +32,16 @@ constexpr double poisson = 0.3;   // -
 constexpr double gravity = 9.81;  // m/s^2
 constexpr double rolling = 0.1;   // -, mu_r
 
+constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
+
 struct Body {
   std::string name;
   DiscMass reading;
   double c;     // I / (m R^2)
   double mass;  // kg
 };
-const Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius};
-const Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+const Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
+const Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
 
 // m, of a disc that presses with `force` on a wall of its own material.
 double overlap(double force, double modulus_of_young) {

@@ -30,14 +30,16 @@ constexpr double launch = 0.1;      // m/s, u0
 constexpr double young_hard = 1e9;  // Pa
 constexpr double young_soft = 4e6;  // Pa: a disc sinks in by 5 % of its radius
 
+constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
+
 struct Body {
   std::string name;
   DiscMass reading;
   double c;     // I / (m R^2)
   double mass;  // kg
 };
-const Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius};
-const Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+const Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
+const Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
 
 // m: under its own weight, on a wall of the same material.
 double resting_overlap(const Body& body, double young) {

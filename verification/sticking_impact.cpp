@@ -33,14 +33,16 @@ constexpr double sideways = 0.05;  // m/s, vx
 constexpr double spin = 3;         // rad/s
 constexpr double slip = sideways + spin * radius;
 
+constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
+
 struct Body {
   const char* name;
   DiscMass reading;
   double c;     // I / (m R^2)
   double mass;  // kg
 };
-constexpr Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius * 1};
-constexpr Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+constexpr Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
+constexpr Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
 
 double restitution(double ratio, double c) {
   return std::cos(std::numbers::pi * std::sqrt(0.01 + 4.8 * ratio * (1 + 1 / c))) / std::cos(std::numbers::pi / 10);
@@ -119,7 +121,8 @@ struct TwoDiscs {
   static constexpr double other = 0.02;  // m, the second radius
   double mass2 = disc.mass * 4;
   double reduced = disc.mass * mass2 / (disc.mass + mass2);
-  double time = contact_time(reduced, radius* other / (radius + other), young / (2 * (1 - nu * nu)), closing);
+  double reduced_radius = radius * other / (radius + other);
+  double time = contact_time(reduced, reduced_radius, young / (2 * (1 - nu * nu)), closing);
   double turn = closing * time / (radius + other);      // rad, at most, if the slip is not faster than the approach
   double start = sideways + spin * radius - 1 * other;  // m/s, slip
 
