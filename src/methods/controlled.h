@@ -6,7 +6,7 @@
 //   rejected  h       = h (s / e)^(3/8)
 //
 // with s = 1/2: Soederlind's digital filter H211b with b k = 8 for k = 3, so that its powers are square roots and the
-// steps are the same on every machine. It answers a kink, and an error that stability holds up, without hunting.
+// steps are the same on every machine. Its steps do not swing after a kink, nor where stability limits them.
 // Sources: Soederlind 2003 (ACM Trans. Math. Softw. 29, 1); Soederlind and Wang 2006 (J. Comput. Appl. Math. 185, 225).
 #pragma once
 

@@ -38,7 +38,7 @@ class Verlet final : public Method {
     return h;
   }
 
-  // A returned spring leaves the force as it is, but not the rates of the energy ledger: evaluated anew, they keep
+  // A returned spring leaves the force as it is, but not the rates of the energy ledger: evaluated again, they keep
   // order 2.
   void restart() override { started_ = false; }
   void state_changed() override { started_ = false; }
