@@ -168,7 +168,7 @@ TEST(DampedImpact, FixedStepsAreOfOrderFiveQuarters) {
   Scene scene = scene_of(alumina, u.speed);
   scene.contact.damping_factor = 0.2;
   const double end = static_cast<double>(exact.time(exact.turning())) * u.time();
-  // Behind the leading term h^(5/4) come h^2 of pece and h^(5/2) of rk4: 1e-2 and 1e-4 of it at 800 steps.
+  // After the leading term h^(5/4) come h^2 of pece and h^(5/2) of rk4: 1e-2 and 1e-4 of it at 800 steps.
   for (const auto& [method, next] : {std::pair{"pece", 2e-3}, {"rk4", 1e-4}}) {
     std::vector<double> lengths, errors;
     for (const int n : {800, 1600, 3200, 6400, 12800}) {

@@ -22,7 +22,7 @@ inline constexpr double stretch = 0.01;   // m, x0
 inline constexpr double omega = 10;       // rad/s, sqrt(500 / 5)
 inline constexpr double rest = 0.1;       // m, length of the spring
 
-// Over x0. Written apart from the solver: a closed form a regime.
+// Over x0. A closed form for each regime; nothing of the solver is called.
 inline double exact_position(double zeta, double t) {
   if (zeta == 1) return std::exp(-omega * t) * (1 + omega * t);
   if (zeta < 1) {

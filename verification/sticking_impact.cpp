@@ -65,7 +65,7 @@ Scene impact(const Body& body, double nu, double height) {
 }
 
 // From an overlap of 1e-13 R, so that the spring follows the slip from the first stage of the first step. The contact
-// parts at 0.7 of a step: on a step's end or middle the ledger would meet 1/sqrt(d) at d = 0. `gap` in steps.
+// opens at 0.7 of a step: on a step's end or middle the ledger would meet 1/sqrt(d) at d = 0. `gap` in steps.
 Ran run_impact(const Body& body, double nu, int steps, double gap = 0) {
   const double time = contact_time(body.mass, radius, young / (2 * (1 - nu * nu)), closing);
   const double step = time / (steps + 0.7);
@@ -126,10 +126,10 @@ struct TwoDiscs {
   double turn = closing * time / (radius + other);      // rad, at most, if the slip is not faster than the approach
   double start = sideways + spin * radius - 1 * other;  // m/s, slip
 
-  // `apart` in steps.
-  Ran run(int steps, double apart) const {
+  // `gap` in steps.
+  Ran run(int steps, double gap) const {
     const double step = time / (steps + 0.7);
-    const double distance = apart > 0 ? radius + other + apart * closing * step : (radius + other) * (1 - 1e-15);
+    const double distance = gap > 0 ? radius + other + gap * closing * step : (radius + other) * (1 - 1e-15);
     Scene scene = impact(disc, nu, 0);
     scene.material[0].young = young;
     scene.wall.clear();
@@ -183,7 +183,7 @@ TEST(StickingImpact, EveryImpactBeginsWithARelaxedSpring) {
   requirement("tangential.sticking");
   // Floor, lid, floor: the slip is vx + omega R below and vx - omega R above; each impact sees its own one only.
   constexpr int steps = 4000;
-  constexpr double nu = 0.5;  // e_t = 0.17: the spring is still stretched when the contact parts
+  constexpr double nu = 0.5;  // e_t = 0.17: the spring is still stretched when the contact opens
   const double time = contact_time(disc.mass, radius, young / (2 * (1 - nu * nu)), closing);
   constexpr double room = 0.005;  // m
   Scene scene = impact(disc, nu, radius + room / 2);

@@ -64,7 +64,7 @@ struct Books {
 };
 Books run_on(const Standing& s, const std::string& method, double h, int steps = 200);
 
-// Whether `method` can carry the scene by fixed steps, and its theory is known.
+// Whether `method` can run the scene by fixed steps, and its theory is known.
 bool has_stable_step(const Standing& s, const MethodInfo& method);
 
 // Predicted and measured.
