@@ -35,11 +35,11 @@ struct Patch {
   furrow::ContactModel model{&law, true, true, 1e-2};
 
   Patch() {
-    constexpr double apart = 1.96 * radius;
+    constexpr double distance = 1.96 * radius;
     for (int i = 0; i < discs; ++i) {
       const int row = i / a_row;
-      x.push_back(apart * (i % a_row + 0.5 * row) + 1e-5 * (i % 11));
-      y.push_back(apart * std::sqrt(0.75) * row);
+      x.push_back(distance * (i % a_row + 0.5 * row) + 1e-5 * (i % 11));
+      y.push_back(distance * std::sqrt(0.75) * row);
       vx.push_back(2e-4 * (i % 3));
       vy.push_back(1e-4 * (i % 7));
       spin.push_back(1e-3 * (i % 5));
@@ -49,7 +49,7 @@ struct Patch {
       for (const int step : {1, a_row - 1, a_row}) {
         const bool leaves_row = (step == 1 && i % a_row == a_row - 1) || (step == a_row - 1 && i % a_row == 0);
         if (leaves_row || c.count == contacts) continue;
-        c.own_slot[c.count] = (37 * c.count) % contacts;  // slots lie about
+        c.own_slot[c.count] = (37 * c.count) % contacts;  // slots in no order
         c.own_a[c.count] = i;
         c.own_b[c.count++] = i + step;
       }

@@ -30,7 +30,7 @@ struct Oscillators final : furrow::OdeSystem {
 };
 
 constexpr double h = 1e-3;
-constexpr int steps_a_swing = 6283;  // then all starts anew, or a first-order method runs away
+constexpr int steps_a_swing = 6283;  // then all starts again, or a first-order method runs away
 
 State at_rest(std::size_t numbers) {
   State y(numbers, 0.0);

@@ -125,7 +125,7 @@ void add_report_command(CLI::App& app, std::vector<Command>& all) {
   report->add_option("--scenes", reported.scenes, "directory of the scene files")
       ->capture_default_str()
       ->type_name("DIR");
-  report->add_flag("--reuse", reported.reuse, "keep runs that are there and finished, make only the page anew");
+  report->add_flag("--reuse", reported.reuse, "keep runs that are there and finished, make only the page again");
   report->add_option("--checks", reported.checks, "checks.json of the verification tests, to be shown on the page")
       ->type_name("FILE");
   report->add_option("--faults", reported.faults, "faults.json of the fault study, to be shown on the page")

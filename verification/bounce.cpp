@@ -1,6 +1,7 @@
 // A disc falls on a floor and bounces: parabolas, and impacts with the weight at work in them.
 //
-//   flight:  y = h - g t^2/2;   v = sqrt(2 g (h - R)) at the touch, after t_f = v/g
+//   flight:          y = h - g t^2/2
+//                    v = sqrt(2 g (h - R)) at the touch, after t_f = v/g
 //   elastic impact:  m v^2/2 + m g d_max = 2/5 K d_max^(5/2)
 //                    t_c = 2 int_0^d_max dd / sqrt(v^2 + 2 g d - 4 K/(5 m) d^(5/2))
 //   every bounce is like the first: period 2 t_f + t_c, height h

@@ -1,12 +1,17 @@
 // A lattice clamped at its left end and loaded at its right one: rest state, refinement, frequencies.
 //
-//   equilibrium: sum over links of k (L - l) e = P;  Newton with the tangent k (e e^T + (1 - l/L) (1 - e e^T)) a link
-//   small deflection: K u = P, K = sum of k e e^T;  frequencies: K u = w^2 m u
-//   let go at rest with the velocities of mode j:  u(t) = A sin(w_j t)
+//   equilibrium: sum over links of k (L - l) e = P, by Newton's method with the tangent of each link
+//     k (e e^T + (1 - l/L) (1 - e e^T))
+//   small deflection:
+//     K u = P,  K = sum of k e e^T
+//   frequencies; set off from rest with the velocities of mode j:
+//     K u = w^2 m u
+//     u(t) = A sin(w_j t)
 //   Timoshenko, per unit of thickness, with ks = 2 kd and no skip-one springs (isotropic, nu = 1/3), height H = n s:
-//     d = P L^3/(3 E I) + P L/(kappa G H),  E = 8 kd/3, G = kd, I = H^3/12, kappa = 5/6
-//   Rows on the edge have a whole spring where half of one belongs to the material, which adds 2 (ks s/2) (H/2)^2 to
-//   E I:  Timoshenko / d = 1 + 9/(4 n) + O(1/n^2): first order in the spacing.
+//     d = P L^3/(3 E I) + P L/(kappa G H)
+//     E = 8 kd/3,  G = kd,  I = H^3/12,  kappa = 5/6
+//   Rows on the edge have a whole spring where half of one belongs to the material, 2 (ks s/2) (H/2)^2 more in E I:
+//     Timoshenko / d = 1 + 9/(4 n) + O(1/n^2), first order in the spacing
 //
 // Source: Timoshenko 1921; the lattice's constants as in lattice_waves.cpp.
 #include <numbers>

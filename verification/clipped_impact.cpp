@@ -1,9 +1,10 @@
 // A damped contact that never pulls lets go as soon as its force would turn, while the bodies still overlap, and is
 // faster then than the restitution asked for.
 //
-//   With p, s of damped_hertz.h the force is zero at p'' = 0, at turn s = 2 acos(beta), turn = w sqrt(1 - beta^2);
-//   beta < 1: e_clip = exp(-2 beta acos(beta) / sqrt(1 - beta^2)),  beta = 1: e^-2,
-//   beta > 1: e_clip = exp(-2 beta acosh(beta) / sqrt(beta^2 - 1))
+//   With p, s of damped_hertz.h the force is zero at p'' = 0, at turn s = 2 acos(beta), turn = w sqrt(1 - beta^2):
+//     beta < 1:  e_clip = exp(-2 beta acos(beta) / sqrt(1 - beta^2))
+//     beta = 1:  e_clip = e^-2
+//     beta > 1:  e_clip = exp(-2 beta acosh(beta) / sqrt(beta^2 - 1))
 //
 // Source: Schwager and Poeschel 2007 (Granular Matter 9, 465) for the linear spring; the map of damped_hertz.h carries
 // it over, for it keeps the order of force and velocity: with w' = sqrt(1 - beta^2) their

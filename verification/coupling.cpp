@@ -1,12 +1,14 @@
-// A disc on the nodes of a lattice: at rest on a spring, in impact with free nodes, and on the segment between two
-// nodes.
+// A disc on the nodes of a lattice: at rest on a spring, in impact with free nodes, and on the segment between two.
 //
-//   squeezed between a wall and a sprung node, at rest:  2 (F/K)^(2/3) + F/k = squeeze
-//   on node(s) of mass m_n at t of the segment:  1/m* = 1/m_disc + ((1 - t)^2 + t^2)/m_n, a fixed node without its
-//   term;
-//     J = (1 + e) m* v on the disc, (1 - t) J and t J on the nodes;  d_max = (15 m* v^2 / (16 E* sqrt(R)))^(2/5)
-//   n auxiliary points find a distance of sqrt(h^2 + x^2) for h, x <= s/(2 (n + 1)), along a line that leans by x/h
-//   on the upper of two free nodes with a spring: three bodies in a line, integrated here in long double
+//   squeezed between a wall and a node on a spring, at rest:
+//     2 (F/K)^(2/3) + F/k = squeeze
+//   against nodes of mass m_n, at the fraction t of their segment; a fixed node has no term in 1/m*:
+//     1/m* = 1/m_disc + ((1 - t)^2 + t^2)/m_n
+//     J = (1 + e) m* v on the disc, (1 - t) J and t J on the nodes
+//     d_max = (15 m* v^2 / (16 E* sqrt(R)))^(2/5)
+//   at the height h above a segment, x beside the nearest of its n auxiliary points, x <= s/(2 (n + 1)):
+//     distance sqrt(h^2 + x^2), along a line that leans by x/h
+//   on the upper of two free nodes with a spring between them: three bodies in a line, integrated here in long double
 //
 // Sources: algebra; Hertz 1882 for d_max; the auxiliary points are the paper's.
 #include <cmath>

@@ -1,9 +1,11 @@
 // The heights of a bouncing disc shrink by the square of the restitution, but for its weight in the contact.
 //
-//   h_k = R + (h - R) e^(2k) exp(-2 loss gamma (1 + e^(-6/5) + ... + e^(-6/5 (k-1)))),   gamma = g L/v^2, L as in
-//   damped_hertz.h: gamma ~ E^(-2/5) vanishes for a hard disc; it grows as v^(-6/5) from bounce to bounce
-//   loss = 1/e int_0^end e^(-decay r) (cos(turn r) + decay/turn sin(turn r)) p^(-1/5) dr: what a small constant force
-//   inwards does to the rebound, to first order; zero without damping
+//   h_k = R + (h - R) e^(2k) exp(-2 loss gamma (1 + e^(-6/5) + ... + e^(-6/5 (k-1))))
+//   gamma = g L/v^2, L as in damped_hertz.h: goes as E^(-2/5), so it vanishes for a hard disc, and as v^(-6/5), so it
+//           grows from bounce to bounce
+//   loss = 1/e int_0^end e^(-decay r) (cos(turn r) + decay/turn sin(turn r)) p^(-1/5) dr
+//
+// `loss` is what a small constant force inwards does to the rebound, to first order; zero without damping.
 //
 // Source: perturbation of the exact solution of damped_hertz.h, worked out here. Parameters: drop.h.
 #include "verification/damped_hertz.h"

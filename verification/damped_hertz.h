@@ -8,8 +8,11 @@
 //   d'' = -d^(3/2) - sqrt(5) beta d^(1/4) d',   d(0) = 0, d'(0) = 1
 //
 // With p = d^(5/4) and a clock s that runs as ds = d^(1/4) dt,
-//   dp/ds = 5/4 d',   d2p/ds2 = 5/4 d''/d^(1/4) = -sqrt(5) beta dp/ds - 5/4 p:
-// a linear oscillator of frequency w = sqrt(5)/2 and of damping ratio beta, p(0) = 0, dp/ds(0) = 5/4.
+//
+//   dp/ds   = 5/4 d'
+//   d2p/ds2 = 5/4 d''/d^(1/4) = -sqrt(5) beta dp/ds - 5/4 p
+//
+// is a linear oscillator of frequency w = sqrt(5)/2 and of damping ratio beta, with p(0) = 0, dp/ds(0) = 5/4.
 // It is back at p = 0 after half a swing with the speed e = exp(-pi beta / sqrt(1 - beta^2)); if beta >= 1, never.
 //
 // Source: Antypov and Elliott 2011 (Europhys. Lett. 94, 50004), here for every beta.

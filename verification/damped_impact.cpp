@@ -1,11 +1,13 @@
 // A damped disc that may be pulled back (`pull = true`) follows the exact solution of damped_hertz.h: the restitution
 // asked for is the one got, whatever the speed, and at the paper's beta = 20 it creeps out and never leaves.
 //
-//   m d'' = -K d^(3/2) - sqrt(5) beta sqrt(K m) d^(1/4) d'  =>  p = d^(5/4) is a linear oscillator in ds = d^(1/4) dt
-//   e = exp(-pi beta / sqrt(1 - beta^2)),  that is beta = -ln e / sqrt(ln^2 e + pi^2)
-//   lengths in units of L = (m v^2/K)^(2/5), times in L/v:
-//   turn = sqrt(5)/2 sqrt(1 - beta^2):  d_max = p^(4/5) at s = acos(beta)/turn,  t_c = int p^(-1/5) ds from 0 to
-//   pi/turn
+//   m d'' = -K d^(3/2) - sqrt(5) beta sqrt(K m) d^(1/4) d',  so p = d^(5/4) is a linear oscillator in ds = d^(1/4) dt
+//   e = exp(-pi beta / sqrt(1 - beta^2)),  that is  beta = -ln e / sqrt(ln^2 e + pi^2)
+//   turn = sqrt(5)/2 sqrt(1 - beta^2)
+//   d_max = p^(4/5) at s = acos(beta)/turn
+//   t_c = int p^(-1/5) ds from 0 to pi/turn
+//
+// Lengths are in units of L = (m v^2/K)^(2/5), times in L/v.
 //
 // Source: Antypov and Elliott 2011 (Europhys. Lett. 94, 50004); spheres of test 3 of Chung and Ooi 2011 (Granular
 // Matter 13, 643): radius 2.5 mm at 3.9 m/s on a rigid wall.
@@ -166,7 +168,7 @@ TEST(DampedImpact, FixedStepsAreOfOrderFiveQuarters) {
   Scene scene = scene_of(alumina, u.speed);
   scene.contact.damping_factor = 0.2;
   const double end = static_cast<double>(exact.time(exact.turning())) * u.time();
-  // Behind the leading term h^(5/4) come h^2 of pece and h^(5/2) of rk4: 1e-2 and 1e-4 of it at 800 steps.
+  // After the leading term h^(5/4) come h^2 of pece and h^(5/2) of rk4: 1e-2 and 1e-4 of it at 800 steps.
   for (const auto& [method, next] : {std::pair{"pece", 2e-3}, {"rk4", 1e-4}}) {
     std::vector<double> lengths, errors;
     for (const int n : {800, 1600, 3200, 6400, 12800}) {

@@ -1,10 +1,11 @@
 // A mass on an undamped spring: its period, its energy, and each method's own error in both, known in closed form.
 //
-//   x = x0 cos(omega t),   T = 2 pi/omega,   q = omega h; with y = x + i x'/omega, y' = -i omega y and z = -i q:
-//   rk4     y_n = R^n, R = 1 + z + z^2/2 + z^3/6 + z^4/24             T (1 + q^4/120),  energy R conj(R) a step
-//   pece    y_(n+1) = (1 + z + 3/4 z^2) y_n - 1/4 z^2 y_(n-1)         T (1 + q^2/12),   amplitude 1 - q^4/4 a step
-//           with y_1 = (1 + z + z^2/2) y_0
-//   verlet  x_n = cos(n theta), cos(theta) = 1 - q^2/2                T (1 - q^2/24),   energy 1 - q^2/4 sin^2(n theta)
+//   x = x0 cos(omega t),  T = 2 pi/omega,  q = omega h
+//   y = x + i x'/omega,  y' = -i omega y,  z = -i q
+//   rk4     y_n = R^n,  R = 1 + z + z^2/2 + z^3/6 + z^4/24         T (1 + q^4/120),  energy R conj(R) a step
+//   pece    y_(n+1) = (1 + z + 3/4 z^2) y_n - 1/4 z^2 y_(n-1)      T (1 + q^2/12),   amplitude 1 - q^4/4 a step
+//           y_1 = (1 + z + z^2/2) y_0
+//   verlet  x_n = cos(n theta),  cos(theta) = 1 - q^2/2            T (1 - q^2/24),   energy 1 - q^2/4 sin^2(n theta)
 //
 // Source: linear difference equations, worked out here; the leading terms after Hairer, Lubich and Wanner, Geometric
 // Numerical Integration, and, for pece, from the roots of r^2 = r (1 + z + 3/4 z^2) - 1/4 z^2.

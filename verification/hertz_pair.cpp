@@ -1,8 +1,10 @@
 // Two elastic discs or spheres, alike or not, meet head-on: they share the impact as their reduced mass, radius and
 // modulus say, and nothing else happens to their momentum and energy.
 //
-//   m* d'' = -K d^(3/2),  K = 4/3 E* sqrt(R*),  1/m* = 1/m_1 + 1/m_2,  1/R* = 1/R_1 + 1/R_2,  1/E* = sum (1 - nu^2)/E
-//   d_max, F_max and t_c as in hertz_wall.cpp with the closing speed v;  v_1' = v_1 - 2 (m*/m_1) v,  v_2' likewise
+//   m* d'' = -K d^(3/2),  K = 4/3 E* sqrt(R*)
+//   1/m* = 1/m_1 + 1/m_2,  1/R* = 1/R_1 + 1/R_2,  1/E* = sum (1 - nu^2)/E
+//   d_max, F_max and t_c as in hertz_wall.cpp with the closing speed v
+//   v_1' = v_1 - 2 (m*/m_1) v,  v_2' likewise
 //
 // Source: Hertz 1882; test 1 of Chung and Ooi 2011 (Granular Matter 13, 643): two spheres of radius 0.01 m, 10 m/s.
 #include "verification/impact.h"

@@ -1,7 +1,10 @@
 // An elastic disc or sphere meets a wall head-on and comes back as fast as it came.
 //
-//   m d'' = -K d^(3/2),  d(0) = 0, d'(0) = v,   K = 4/3 E* sqrt(R),   1/E* = (1 - nu^2)/E + (1 - nu_w^2)/E_w
-//   d_max = (5 m v^2 / (4 K))^(2/5),  F_max = K d_max^(3/2),  t_c = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) d_max / v
+//   m d'' = -K d^(3/2),  d(0) = 0, d'(0) = v
+//   K = 4/3 E* sqrt(R),  1/E* = (1 - nu^2)/E + (1 - nu_w^2)/E_w
+//   d_max = (5 m v^2 / (4 K))^(2/5)
+//   F_max = K d_max^(3/2)
+//   t_c = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) d_max / v
 //
 // Source: Hertz 1882; test 2 of Chung and Ooi 2011 (Granular Matter 13, 643): sphere of radius 0.1 m at 0.2 m/s.
 // For a rigid wall the second term of 1/E* vanishes; a wall of the sphere's material doubles it.

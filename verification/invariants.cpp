@@ -1,9 +1,11 @@
 // What must hold of every scene whatever it is, with no number known beforehand: nothing depends on where the observer
 // stands, which way he looks, how fast he goes, in what units he measures, in what order he counts.
 //
-//   turned by Q and carried at V:  r' = Q r + V t,  v' = Q v + V,  spin' = det(Q) spin
-//   units of length L, time T, mass M that are powers of two: every number is multiplied by a power of two, which no
-//   rounding notices
+//   turned by Q and carried at V:  r' = Q r + V t
+//                                  v' = Q v + V
+//                                  spin' = det(Q) spin
+//   units of length L, time T, mass M that are powers of two: every number is multiplied by a power of two, which does
+//   not change how it is rounded
 //
 // Source: invariance of Newton's laws; IEEE 754.
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A bed so large that its forces are summed chunk by chunk, those between discs of two chunks last of all. Actions and
+// A bed so large that its forces are summed block by block, those between discs of two blocks last of all. Actions and
 // reactions cancel, and it does not matter in which order the discs are counted:
 //
 //   sum of m a = 0 without weight and walls,   a(disc) the same for any numbering but for round-off
@@ -13,9 +13,9 @@
 namespace furrow::verification {
 namespace {
 
-// Rows of discs that overlap and move at random, three chunks of them and no two neighbours with neighbouring numbers.
+// Rows of discs that overlap and move at random, three blocks of them and no two neighbours with neighbouring numbers.
 // Neither weight nor walls.
-Scene bed_of_three_chunks(bool backwards) {
+Scene bed_of_three_blocks(bool backwards) {
   constexpr int count = 2 * discs_per_block + 807, a_row = 90, stride = 2521;  // prime to each other
   Scene scene = case_of(scenes / "scenario_2.toml").scene;
   scene.model.gravity = 0;
@@ -35,24 +35,24 @@ Scene bed_of_three_chunks(bool backwards) {
 
 TEST(LargeBed, SumsItsForcesInAnyOrder) {
   requirement("invariants.large_bed");
-  const Scene scene = bed_of_three_chunks(false);
+  const Scene scene = bed_of_three_blocks(false);
   const int count = static_cast<int>(scene.disc.size());
-  System bed(scene), backwards(bed_of_three_chunks(true));
+  System bed(scene), backwards(bed_of_three_blocks(true));
   State y = bed.initial_state(), y_back = backwards.initial_state();
   State rates(y.size()), rates_back(y.size());
   bed.rhs(0, y, rates);
   backwards.rhs(0, y_back, rates_back);
-  expect_true("pairs that reach into another chunk", kernel_of(bed.solver()).search().spills > count / 2,
+  expect_true("pairs that reach into another block", kernel_of(bed.solver()).search().spills > count / 2,
               "otherwise the test would be of nothing");
-  double sum_x = 0, sum_y = 0, size = 0, largest = 0, apart = 0, turned = 0, largest_turn = 0;
+  double sum_x = 0, sum_y = 0, size = 0, largest = 0, change = 0, turned = 0, largest_turn = 0;
   for (int i = 0; i < count; ++i) {
     const int other = count - 1 - i;
     const double ax = rates[bed.vx_of(i)], ay = rates[bed.vy_of(i)], spin = rates[bed.spin_of(i)];
     sum_x += ax, sum_y += ay, size += std::fabs(ax) + std::fabs(ay);
     largest = std::max({largest, std::fabs(ax), std::fabs(ay)});
     largest_turn = std::max(largest_turn, std::fabs(spin));
-    apart = std::max({apart, std::fabs(ax - rates_back[backwards.vx_of(other)]),
-                      std::fabs(ay - rates_back[backwards.vy_of(other)])});
+    change = std::max({change, std::fabs(ax - rates_back[backwards.vx_of(other)]),
+                       std::fabs(ay - rates_back[backwards.vy_of(other)])});
     turned = std::max(turned, std::fabs(spin - rates_back[backwards.spin_of(other)]));
   }
   const Tolerance cancelling = absolute(
@@ -63,7 +63,7 @@ TEST(LargeBed, SumsItsForcesInAnyOrder) {
   const Tolerance alike = absolute(5e-15,
                                    "the place is the same to the bit; at most eight terms of the largest size, "
                                    "each rounded by 1.1e-16 of at most five times that size");
-  expect("largest change of an acceleration, of the largest [-]", apart / largest, 0, alike);
+  expect("largest change of an acceleration, of the largest [-]", change / largest, 0, alike);
   expect("largest change of a spin's rate, of the largest [-]", turned / largest_turn, 0, alike);
   for (const auto& [cause, name] :
        {std::pair(contact_viscous, "viscous"), {friction_work, "friction"}, {rolling_work, "rolling"}}) {

@@ -1,13 +1,17 @@
 // Plane waves, uniform strain and bending of the lattice, by its forces on displaced nodes.
 //
 //   structural springs ks, diagonal ones kd, skip-one ones kb; spacing s, node mass m; q in radians a spacing
-//   D11 = 2/m (ks (1 - cos qx) + kb (1 - cos 2qx) + kd (1 - cos qx cos qy)),   D12 = 2/m kd sin qx sin qy,   D22 by
-//   swap u_n = A e cos(q.n):  u_n'' = -D(q) u_n;   omega^2 = (D11 + D22)/2 +- sqrt((D11 - D22)^2/4 + D12^2) long waves:
-//   C11 = ks + kd + 4 kb,  C12 = C66 = kd  (N/m, two-dimensional) one row, chords of length s that turn by theta at
-//   each node: the skip-one spring gives a moment
-//     M = 2 kb s^2 (1 - cos(theta/2)) sin(theta/2) = kb s^2 theta^3/8 + ...: no linear bending stiffness at all
 //
-// Source: Born and Huang, Dynamical Theory of Crystal Lattices, sections 24 and 25; the last line is geometry.
+//   waves       u_n = A e cos(q.n):  u_n'' = -D(q) u_n
+//               D11 = 2/m (ks (1 - cos qx) + kb (1 - cos 2qx) + kd (1 - cos qx cos qy)),  D22 with qx and qy exchanged
+//               D12 = 2/m kd sin qx sin qy
+//               omega^2 = (D11 + D22)/2 +- sqrt((D11 - D22)^2/4 + D12^2)
+//   long waves  C11 = ks + kd + 4 kb  (N/m, two-dimensional)
+//               C12 = C66 = kd
+//   bending     one row, chords of length s that turn by theta at each node: the skip-one spring gives a moment
+//               M = 2 kb s^2 (1 - cos(theta/2)) sin(theta/2) = kb s^2 theta^3/8 + ..., so nothing linear in theta
+//
+// Source: Born and Huang, Dynamical Theory of Crystal Lattices, sections 24 and 25; bending by geometry.
 #include <Eigen/Dense>
 #include <numbers>
 

@@ -1,10 +1,12 @@
 // A row of discs hands on momentum: pair by pair as bodies that bounce, all at once without loss; and a cluster of
 // discs that rub and roll on each other keeps its angular momentum.
 //
-//   pair, e = 1:   v1' = (m1 - m2)/(m1 + m2) v1,   v2' = 2 m1/(m1 + m2) v1; towards heavier discs no pair meets twice
-//   always:        sum of m v, and of x (x) m v + I omega: Newton's third law, and two arms that add up to the distance
-//   velocity Verlet keeps both to round-off: at each evaluation the forces, and their moments about the origin, add to
-//   zero
+//   pair, e = 1:  v1' = (m1 - m2)/(m1 + m2) v1
+//                 v2' = 2 m1/(m1 + m2) v1;  towards heavier discs no pair meets twice
+//   kept always:  sum of m v
+//                 sum of x (x) m v + I omega:  Newton's third law, and two moment arms that add up to the distance
+//   Velocity Verlet keeps both to round-off: at each evaluation the forces, and their moments about the origin, add up
+//   to zero.
 //
 // Source: any textbook of mechanics; angular momentum with friction as in Spheral's DEM tests.
 #include <algorithm>

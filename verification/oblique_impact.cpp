@@ -1,9 +1,13 @@
 // A disc that strikes a plane, or another disc, obliquely or spinning: gross sliding, partial slip, and no slip at all.
 //
-//   gross sliding, vt > kappa mu (1 + e) vn:   vt' = vt - kappa mu (1 + e) vn,   vx' = vx - mu (1 + e) vn,
-//     omega' = omega - mu (1 + e) vn / (c R);   with one's own mass m and the pair's m*: mu (1 + e) vn m*/m
-//   e of a contact that never pulls: e = exp(-beta/w (pi - atan2(2 beta w, w^2 - beta^2))), w = sqrt(1 - beta^2)
-//   partial slip: no closed form, oblique_oracle.h       equal and opposite spins: no slip, nothing happens
+//   gross sliding, if vt > kappa mu (1 + e) vn; m is a disc's own mass, m* the pair's, on a plane m* = m:
+//     vt' = vt - kappa mu (1 + e) vn
+//     vx' = vx - mu (1 + e) vn m*/m
+//     omega' = omega - mu (1 + e) vn m*/m / (c R)
+//   e of a contact that never pulls:
+//     e = exp(-beta/w (pi - atan2(2 beta w, w^2 - beta^2))),  w = sqrt(1 - beta^2)
+//   partial slip: no closed form, see oblique_oracle.h
+//   equal and opposite spins: no slip, nothing happens
 //
 // Sources: Chung and Ooi 2011 (Granular Matter 13, 643), tests 4 to 8; Schwager and Poeschel 2007 for e.
 #include <cmath>

@@ -1,11 +1,18 @@
-// Oblique impact of a Hertz-Mindlin contact with Coulomb's limit, integrated apart from the solver.
+// Oblique impact of a Hertz-Mindlin contact with Coulomb's limit, integrated without the solver.
 //
-// Normal motion has a closed form (Antypov and Elliott 2011, Europhys. Lett. 94, 50004): with u = d^(5/4) and
-//   d tau = a d^(1/4) dt, a = sqrt(5 K / (4 m)), K = 4/3 E* sqrt(R):   u'' + 2 beta u' + u = 0,   Fn = K u^(1/5) (u + 2
-//   beta u')
-// so that only the slip vt and the spring xi are left to integrate, m vt' = kappa Ft and xi' = vt, here over
+// Normal motion has a closed form (Antypov and Elliott 2011, Europhys. Lett. 94, 50004), with u = d^(5/4):
+//
+//   d tau = a d^(1/4) dt,  a = sqrt(5 K / (4 m)),  K = 4/3 E* sqrt(R)
+//   u'' + 2 beta u' + u = 0
+//   Fn = K u^(1/5) (u + 2 beta u')
+//
+// so that only the slip vt and the spring xi are left to integrate, here in long double by Runge-Kutta over x:
+//
+//   m vt' = kappa Ft
+//   xi' = vt
 //   tau = T x^5 (126 - 420 x + 540 x^2 - 315 x^3 + 70 x^4)
-// which takes the fifth root off both ends, by Runge-Kutta in long double. T is where the contact would begin to pull.
+//
+// The polynomial takes the fifth root off both ends. T is where the contact would begin to pull.
 #pragma once
 
 #include <cmath>

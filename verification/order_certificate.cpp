@@ -47,16 +47,16 @@ const char* const return_reason =
 // The greatest slope over equidistant points in ln(tolerance), 1e-5 to 1e-10, of what varies within ln 2: the sign of x
 // times half of it.
 double worst_band(int points) {
-  const double apart = std::log(1e5) / (points - 1);
+  const double distance = std::log(1e5) / (points - 1);
   double sum = 0, squares = 0;
   for (int k = 0; k < points; ++k) {
-    const double x = apart * (k - 0.5 * (points - 1));
+    const double x = distance * (k - 0.5 * (points - 1));
     sum += std::fabs(x), squares += x * x;
   }
   return 0.5 * std::log(2) * sum / squares;
 }
 
-// Half of what the prediction would fall by, if it were not met, is the most that tells anything.
+// Half of what the prediction would fall by, if it were not met, is the most that says anything.
 double told_apart(const Slope& slope, double fall) { return std::min(verification::tolerance_of(slope), fall / 2); }
 
 void expect_orders(const std::string& name) {

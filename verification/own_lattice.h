@@ -1,4 +1,4 @@
-// The equilibrium and the vibrations of a clamped lattice, assembled apart from the solver: links found by the distance
+// The equilibrium and the vibrations of a clamped lattice, assembled without the solver: links found by the distance
 // of the nodes, unknowns x and y of the free nodes in turn, solved with Eigen.
 #pragma once
 

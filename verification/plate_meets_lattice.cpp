@@ -1,10 +1,13 @@
 // A plate meets a lattice: the first impact force with the paper's Table 1, and the order of the coupling.
 //
-//   node in the plate by d:  F = max(0, 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(2 E* sqrt(R* d) m) d'),  d' = v
-//   - vx a node alone has a closed form (Antypov and Elliott 2011):  u = d^(5/4), a = sqrt(5 K / (4 m)),
-//     u = U/(2 r) (e^((r - beta) tau) - e^(-(r + beta) tau)),  r = sqrt(beta^2 - 1),  U = 5 v / (4 a),
+//   force on a node that is in the plate by d, d' = v - vx:
+//     F = max(0, 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(2 E* sqrt(R* d) m) d')
+//   a node alone has a closed form (Antypov and Elliott 2011), with u = d^(5/4) and dtau = a u^(1/5) dt:
+//     u = U/(2 r) (e^((r - beta) tau) - e^(-(r + beta) tau))
+//     r = sqrt(beta^2 - 1),  U = 5 v / (4 a),  a = sqrt(5 K / (4 m))
 //     F = K u^(1/5) (u + 2 beta u')
 //   rows of linked nodes are integrated here in long double, on t = T s^4; the links are found by their length alone
+//
 // The plate is where its motion puts it at every stage, so a contact that stays closed has the order of the method.
 //
 // Source: the paper's sections on contact and on scene 1, MODEL.md sections 2, 6 and 7.

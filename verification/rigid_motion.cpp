@@ -1,12 +1,17 @@
 // A lattice that is carried and turned as a whole feels nothing; the two misprinted equations of the paper do harm at
 // known rates.
 //
-//   axial damper:  two nodes that turn about each other at rate W, stretched to l' with k (l' - l) = m* W^2 l', keep on
-//                  turning:  r(t) = l' (cos W t, sin W t);  m* = m/2
-//   full damper (Eq. 2 as printed):  L' = -c r x r' = -(c/m*) L, whatever the springs do:  L = L0 e^(-c t/m*);
-//                  a lattice in rigid rotation is braked by the moment  -W sum over links of c l^2
-//   Eq. (1) as printed, k < 0:  m x'' + c x' - |k| x = 0,  x = x0 (r1 e^(r2 t) - r2 e^(r1 t))/(r1 - r2),
-//                  r = -c/(2m) +- sqrt(c^2/(4m^2) + |k|/m): one root is positive
+//   axial damper: two nodes that turn about each other at rate W, m* = m/2, keep on turning:
+//     k (l' - l) = m* W^2 l'
+//     r(t) = l' (cos W t, sin W t)
+//   full damper (Eq. 2 as printed), whatever the springs do:
+//     L' = -c r x r' = -(c/m*) L
+//     L = L0 e^(-c t/m*)
+//     a lattice in rigid rotation is braked by the moment  -W sum over links of c l^2
+//   Eq. (1) as printed, k < 0; one root is positive:
+//     m x'' + c x' - |k| x = 0
+//     x = x0 (r1 e^(r2 t) - r2 e^(r1 t))/(r1 - r2)
+//     r = -c/(2m) +- sqrt(c^2/(4m^2) + |k|/m)
 //
 // Source: the equations of motion; the misprints are listed in validation/decisions.md.
 #include <numbers>

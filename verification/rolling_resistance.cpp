@@ -1,11 +1,16 @@
 // The rolling moment alone: a disc that spins in place, one that rolls on a plane or creeps on a slope, two that meet.
 //
-//   M = -mu_r R_r N s(w),  s = w / sqrt(w^2 + w0^2),  w = omega_i - omega_j,  R_r = R on a wall, else R_i R_j/(R_i +
-//   R_j) in place (mu = 0, nothing moves the centre):  c R omega' = -mu_r g s:
+//   M = -mu_r R_r N s(w),  s = w / sqrt(w^2 + w0^2),  w = omega_i - omega_j
+//   R_r = R on a wall, R_i R_j/(R_i + R_j) between two
+//   in place (mu = 0, nothing moves the centre):
+//     c R omega' = -mu_r g s
 //     f(omega) = sqrt(omega^2 + w0^2) - w0 asinh(w0 / omega) falls as f0 - mu_r g t / (c R)
-//   rolling, the arm of friction a:  u' = -mu_r g (R/a) / (1 + c (R/a)^2);  a = R: mu_r g 2/3 (disc), 5/7 (sphere)
-//   on a slope below mu_r: no rest but w with s(w) = tan theta / mu_r, w = w0 tan theta / sqrt(mu_r^2 - tan^2 theta)
-//   head-on with spins: I_i (omega_i' - omega_i) = -+ mu_r R_r m* (1 + e) v, if w stays far above w0
+//   rolling, the arm of friction a:
+//     u' = -mu_r g (R/a) / (1 + c (R/a)^2);  a = R: mu_r g 2/3 (disc), 5/7 (sphere)
+//   on a slope below mu_r, no rest but w with s(w) = tan theta / mu_r:
+//     w = w0 tan theta / sqrt(mu_r^2 - tan^2 theta)
+//   head-on with spins, if w stays far above w0:
+//     I_i (omega_i' - omega_i) = -+ mu_r R_r m* (1 + e) v
 //
 // Sources: algebra; in place LAMMPS, granular tests, rolling_decay.
 #include <cmath>
@@ -27,14 +32,16 @@ constexpr double poisson = 0.3;   // -
 constexpr double gravity = 9.81;  // m/s^2
 constexpr double rolling = 0.1;   // -, mu_r
 
+constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
+
 struct Body {
   std::string name;
   DiscMass reading;
   double c;     // I / (m R^2)
   double mass;  // kg
 };
-const Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius};
-const Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+const Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
+const Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
 
 // m, of a disc that presses with `force` on a wall of its own material.
 double overlap(double force, double modulus_of_young) {

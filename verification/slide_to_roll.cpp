@@ -1,11 +1,14 @@
 // A disc set down sliding on a plane: friction slows it and turns it until it rolls.
 //
-//   m u' = -mu m g,  c m R^2 omega' = -mu m g a      a: arm of friction, R or, with `lever = "overlap"`, R - d
-//   m u - c m R^2 omega / a stays as it is, so it rolls (u = -a omega) at the end with
-//   u_f = u0 / (1 + c (R/a)^2),   from  t_s = (u0 - u_f) / (mu g)  on
-//   a = R: u_f = 2/3 u0 for a disc, 5/7 for a sphere; lost energy 1/2 m u0 (u0 - u_f), whatever mu
-// The contact carries the weight from the start and its damper is strong enough to slide from the start; d = (m g /
-// K)^(2/3).
+//   m u' = -mu m g
+//   c m R^2 omega' = -mu m g a        a: arm of friction, R or, with `lever = "overlap"`, R - d
+//   m u - c m R^2 omega / a = m u0    stays as it is, so it rolls at the end, u = -a omega, with
+//   u_f = u0 / (1 + c (R/a)^2)        2/3 u0 for a disc, 5/7 u0 for a sphere if a = R
+//   t_s = (u0 - u_f) / (mu g)         from then on
+//   lost 1/2 m u0 (u0 - u_f)          whatever mu
+//   d = (m g / K)^(2/3)               the contact carries the weight from the start
+//
+// The damper is so strong that the disc slides from the start.
 //
 // Source: any textbook of mechanics (the sliding billiard ball); MFiX verification case DEM04.
 #include <cmath>
@@ -27,14 +30,16 @@ constexpr double launch = 0.1;      // m/s, u0
 constexpr double young_hard = 1e9;  // Pa
 constexpr double young_soft = 4e6;  // Pa: a disc sinks in by 5 % of its radius
 
+constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
+
 struct Body {
   std::string name;
   DiscMass reading;
   double c;     // I / (m R^2)
   double mass;  // kg
 };
-const Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius};
-const Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+const Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
+const Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
 
 // m: under its own weight, on a wall of the same material.
 double resting_overlap(const Body& body, double young) {

@@ -1,6 +1,7 @@
 // The mass on a spring that several pages share: scene and closed forms.
 //
-//   m x'' + c x' + k x = 0,   x(0) = x0, x'(0) = 0,   omega = sqrt(k/m), zeta = c / (2 sqrt(k m))
+//   m x'' + c x' + k x = 0,  x(0) = x0, x'(0) = 0
+//   omega = sqrt(k/m),  zeta = c / (2 sqrt(k m))
 //   zeta < 1:  x = x0 e^(-zeta omega t) (cos(wd t) + zeta omega/wd sin(wd t)),  wd = omega sqrt(1 - zeta^2)
 //   zeta = 1:  x = x0 e^(-omega t) (1 + omega t)
 //   zeta > 1:  x = x0 (r2 e^(r1 t) - r1 e^(r2 t)) / (r2 - r1),  r = -zeta omega +- omega sqrt(zeta^2 - 1)
@@ -21,7 +22,7 @@ inline constexpr double stretch = 0.01;   // m, x0
 inline constexpr double omega = 10;       // rad/s, sqrt(500 / 5)
 inline constexpr double rest = 0.1;       // m, length of the spring
 
-// Over x0. Written apart from the solver: a closed form a regime.
+// Over x0. A closed form for each regime; nothing of the solver is called.
 inline double exact_position(double zeta, double t) {
   if (zeta == 1) return std::exp(-omega * t) * (1 + omega * t);
   if (zeta < 1) {

@@ -1,8 +1,10 @@
 // Where the methods fail: the step at which the solver blows up against the method's amplification factor.
 //
-//   x'' = -2 zeta omega x' - omega^2 x,   one step: [x, x', memory]_(n+1) = M(omega h, zeta) [x, x', memory]_n,
-//   stable if no eigenvalue of M is larger than one; M from the formula of the method (studies/amplification.cpp, which
-//   calls nothing of src/methods)
+//   x'' = -2 zeta omega x' - omega^2 x
+//   [x, x', memory]_(n+1) = M(omega h, zeta) [x, x', memory]_n
+//   stable if no eigenvalue of M is larger than one
+//
+// M comes from the formula of the method (studies/amplification.cpp, which calls nothing of src/methods).
 //
 // Limits in the literature: Hairer, Norsett and Wanner, Solving Ordinary Differential Equations II, IV.2 and V.1.
 #include <unistd.h>
@@ -82,7 +84,7 @@ TEST(StabilityLimits, PaperMethodOnADampedSpring) {
 // Not only where each method is well known: both kinds of force, all damping ratios, every method with a theory.
 TEST(StabilityLimits, SolverBlowsUpWhereTheAmplificationFactorSays) {
   requirement("stability.limits");
-  const Tolerance seen = relative(0.01, "bisection to 1e-3, growth of 1 % told in a thousand steps");
+  const Tolerance seen = relative(0.01, "bisection to 1e-3, growth of 1 % seen in a thousand steps");
   for (const AtlasEntry& entry : make_atlas({}, {0, 0.01, 0.1, 0.5, 1, 5})) {
     for (const AtlasLimit& l : entry.limits) {
       const std::string at = entry.methods.front() + ", damping ratio " + std::to_string(l.zeta);
@@ -113,7 +115,7 @@ TEST(StabilityLimits, ScenesBreakWhereTheirSpectrumSays) {
   }
 }
 
-// The modes of a spring are known: the whole way from the right-hand side to the step, without the solver's own words.
+// The modes of a spring are known: the whole way from the right-hand side to the step, without the solver's advice.
 TEST(StabilityLimits, SpringSceneHasTheEigenvaluesOfItsSpring) {
   requirement("stability.scenes");
   const Standing s = standing_at(scene_file("single_spring"), 0);

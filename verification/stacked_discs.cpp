@@ -1,7 +1,7 @@
 // A stack of unequal discs on a floor comes to rest on its contacts.
 //
-//   d_i = (W_i / K_i)^(2/3),   W_i the weight above contact i,   K = 4/3 E* sqrt(R*),   stored 2/5 W_i d_i in each
-//   and what the weights lost in height is stored or was damped
+//   d_i = (W_i / K_i)^(2/3),  K = 4/3 E* sqrt(R*),  W_i the weight above contact i
+//   stored 2/5 W_i d_i in each contact; what the weights lost in height is stored or was damped
 //
 // Source: Hertz 1882.
 #include <cmath>

@@ -1,11 +1,15 @@
 // A disc that sticks where it touches: the exact tangential restitution of Mindlin's spring.
 //
-//   Hertz d'' = -K/m d^(3/2) and xi'' = -kappa/m St(d) xi have a common time; in d/d_max the second is hypergeometric,
-//   and e_t = vt'/vt = cos(pi sqrt(1/100 + 24/5 (G*/E*) kappa)) / cos(pi/10),   kappa = 1 + 1/c,   I = c m R^2 one
-//   material: G*/E* = (1 - nu) / (2 (2 - nu))        c = 1/2: e_t = 1 at nu = 0        c = 2/5: e_t = 1 at nu = 1/4 m
-//   vx' = m vx - (1 - e_t) vt m/kappa      I omega' = I omega - (1 - e_t) vt R m/kappa
-// e_t > 1 gains energy: St follows the overlap, so an unloading contact stiffens or weakens a stretched spring for
-// free.
+//   d''  = -K/m d^(3/2)           Hertz
+//   xi'' = -kappa/m St(d) xi      kappa = 1 + 1/c,  I = c m R^2
+//   e_t = vt'/vt = cos(pi sqrt(1/100 + 24/5 (G*/E*) kappa)) / cos(pi/10)
+//   m vx' = m vx - (1 - e_t) vt m/kappa
+//   I omega' = I omega - (1 - e_t) vt R m/kappa
+//   G*/E* = (1 - nu) / (2 (2 - nu)) of one material, so that
+//   e_t = 1 at nu = 0 with c = 1/2, at nu = 1/4 with c = 2/5
+//
+// The first two have a common time; in d/d_max the second is hypergeometric. e_t > 1 gains energy: St follows the
+// overlap, so an unloading contact stiffens or weakens a stretched spring for free.
 //
 // Source: solved here; a special case of Maw, Barber and Fawcett 1976 (Wear 38, 101) with all of the contact sticking.
 #include <algorithm>
@@ -29,14 +33,16 @@ constexpr double sideways = 0.05;  // m/s, vx
 constexpr double spin = 3;         // rad/s
 constexpr double slip = sideways + spin * radius;
 
+constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
+
 struct Body {
   const char* name;
   DiscMass reading;
   double c;     // I / (m R^2)
   double mass;  // kg
 };
-constexpr Body disc{"disc", DiscMass::disc, 0.5, density* std::numbers::pi* radius* radius * 1};
-constexpr Body sphere{"sphere", DiscMass::sphere, 0.4, density * 4 / 3 * std::numbers::pi* radius* radius* radius};
+constexpr Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
+constexpr Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
 
 double restitution(double ratio, double c) {
   return std::cos(std::numbers::pi * std::sqrt(0.01 + 4.8 * ratio * (1 + 1 / c))) / std::cos(std::numbers::pi / 10);
@@ -59,7 +65,7 @@ Scene impact(const Body& body, double nu, double height) {
 }
 
 // From an overlap of 1e-13 R, so that the spring follows the slip from the first stage of the first step. The contact
-// parts at 0.7 of a step: on a step's end or middle the ledger would meet 1/sqrt(d) at d = 0. `gap` in steps.
+// opens at 0.7 of a step: on a step's end or middle the ledger would meet 1/sqrt(d) at d = 0. `gap` in steps.
 Ran run_impact(const Body& body, double nu, int steps, double gap = 0) {
   const double time = contact_time(body.mass, radius, young / (2 * (1 - nu * nu)), closing);
   const double step = time / (steps + 0.7);
@@ -115,14 +121,15 @@ struct TwoDiscs {
   static constexpr double other = 0.02;  // m, the second radius
   double mass2 = disc.mass * 4;
   double reduced = disc.mass * mass2 / (disc.mass + mass2);
-  double time = contact_time(reduced, radius* other / (radius + other), young / (2 * (1 - nu * nu)), closing);
+  double reduced_radius = radius * other / (radius + other);
+  double time = contact_time(reduced, reduced_radius, young / (2 * (1 - nu * nu)), closing);
   double turn = closing * time / (radius + other);      // rad, at most, if the slip is not faster than the approach
   double start = sideways + spin * radius - 1 * other;  // m/s, slip
 
-  // `apart` in steps.
-  Ran run(int steps, double apart) const {
+  // `gap` in steps.
+  Ran run(int steps, double gap) const {
     const double step = time / (steps + 0.7);
-    const double distance = apart > 0 ? radius + other + apart * closing * step : (radius + other) * (1 - 1e-15);
+    const double distance = gap > 0 ? radius + other + gap * closing * step : (radius + other) * (1 - 1e-15);
     Scene scene = impact(disc, nu, 0);
     scene.material[0].young = young;
     scene.wall.clear();
@@ -176,7 +183,7 @@ TEST(StickingImpact, EveryImpactBeginsWithARelaxedSpring) {
   requirement("tangential.sticking");
   // Floor, lid, floor: the slip is vx + omega R below and vx - omega R above; each impact sees its own one only.
   constexpr int steps = 4000;
-  constexpr double nu = 0.5;  // e_t = 0.17: the spring is still stretched when the contact parts
+  constexpr double nu = 0.5;  // e_t = 0.17: the spring is still stretched when the contact opens
   const double time = contact_time(disc.mass, radius, young / (2 * (1 - nu * nu)), closing);
   constexpr double room = 0.005;  // m
   Scene scene = impact(disc, nu, radius + room / 2);

@@ -1,10 +1,15 @@
 // When a link tears, which one, and what that costs.
 //
-//   a link tears when its spring force exceeds its strength S: at the stretch x_c = S/k
-//   pull by a plate at speed v, through a contact F = 4/3 E* sqrt(R) d^(3/2):  v t = x_c + (S/(4/3 E* sqrt(R)))^(2/3)
-//   step load F0 on a mass at rest:  x = F0/k (1 - cos wt), so it tears if F0 > S/2
-//   impulse v0:  x = v0/w sin wt, so it tears if v0 > w x_c, at t = asin(w x_c/v0)/w
-//   energy lost with a link:  F^2/(2 k)
+//   a link tears when its spring force exceeds its strength S, at the stretch x_c = S/k
+//   pulled by a plate at speed v through a contact F = 4/3 E* sqrt(R) d^(3/2):
+//     v t = x_c + (S/(4/3 E* sqrt(R)))^(2/3)
+//   step load F0 on a mass at rest, tears if F0 > S/2:
+//     x = F0/k (1 - cos wt)
+//   impulse v0, tears if v0 > w x_c:
+//     x = v0/w sin wt
+//     t = asin(w x_c/v0)/w
+//   energy lost with a link:
+//     F^2/(2 k)
 //
 // Source: algebra.
 #include <map>

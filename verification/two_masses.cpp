@@ -1,8 +1,10 @@
 // Two equal masses on a spring swing about their common centre, which moves uniformly; spun fast enough they circle.
 //
-//   m* = m/2,  omega = sqrt(k/m*);   length  r = l + a cos(omega t) e^(..) as for one mass m*;   centre  X = X0 + V t
-//   circling:  k (r - l) = m* Omega^2 r,  so at r = 1.25 l  Omega = sqrt(k / (5 m*))
-//   momentum, and angular momentum about the centre m* r^2 Omega, stay
+//   swinging:  r = l + a cos(omega t) e^(..) as for one mass m* = m/2,  omega = sqrt(k/m*)
+//              centre X = X0 + V t
+//   circling:  k (r - l) = m* Omega^2 r, so at r = 1.25 l
+//              Omega = sqrt(k / (5 m*))
+//   kept:      momentum, and angular momentum about the centre, m* r^2 Omega
 //
 // Source: the two-body problem in any textbook of mechanics.
 #include "run/observe.h"

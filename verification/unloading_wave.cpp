@@ -1,11 +1,13 @@
 // A chain under tension whose end link tears unloads by a wave that moves one node in sqrt(m/k).
 //
 //   chain under tension T whose end comes free at t = 0; node j = 0, 1, ... from the end, z = 2 w t, w = sqrt(k/m):
-//     v_j = T/sqrt(k m) (2j+1) integral_0^z J_(2j+1)(s)/s ds = T/sqrt(k m) (J_(2j+1)(z) + 2 sum_(i>0) J_(2j+1+2i)(z))
-//   v_j sqrt(k m)/T -> 1/3 at z = 2j + 1, and 1 later
-//   oracle's oracle: a unit impulse on a node of an endless chain gives J_(2|j|)(z)/m (Schroedinger); with its mirror
-//   image the free end gives (J_(2j) + J_(2j+2))/m, here by Bessel's integral J_n(z) = 1/pi int_0^pi cos(n a - z sin a)
-//   da and integrated by Simpson's rule
+//     v_j = T/sqrt(k m) (2j+1) int_0^z J_(2j+1)(s)/s ds
+//         = T/sqrt(k m) (J_(2j+1)(z) + 2 sum_(i>0) J_(2j+1+2i)(z))
+//     v_j sqrt(k m)/T -> 1/3 at z = 2j + 1, and 1 later
+//   the same from a unit impulse on a node of an endless chain, J_(2|j|)(z)/m (Schroedinger), integrated by Simpson's
+//   rule; with its mirror image it gives the free end:
+//     v_j' = T (J_(2j)(z) + J_(2j+2)(z))/m
+//     J_n(z) = 1/pi int_0^pi cos(n a - z sin a) da
 //
 // Source: Schroedinger 1914 (Ann. Phys. 44, 916); the free end by its mirror image, and J_(n-1) + J_(n+1) = 2n/z J_n.
 #include <numbers>

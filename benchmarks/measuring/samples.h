@@ -1,4 +1,4 @@
-// Medians and their intervals from few noisy samples, without any belief about how the noise is distributed.
+// Medians and their intervals from few noisy samples, without an assumption on the distribution of the noise.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline Interval median_interval(std::vector<double> samples) {
   return {samples[k], middle, samples[n - 1 - k], n};
 }
 
-// Sample by sample: what was measured side by side shares the machine's mood.
+// Sample by sample: what was measured side by side met the same state of the machine.
 inline std::vector<double> ratios(const std::vector<double>& over, const std::vector<double>& under) {
   std::vector<double> all;
   for (std::size_t k = 0; k < std::min(over.size(), under.size()); ++k) all.push_back(over[k] / under[k]);

@@ -142,7 +142,7 @@ struct Times {
   std::vector<double> cpu, real;  // s a step, by round
 };
 
-// What a process needs to start is measured apart and taken off.
+// What a process needs to start is measured separately and subtracted.
 void time_step(const Bed& bed, const Rival& rival, Times& times) {
   const auto ran = [&](long steps) {
     const Task task{plate_speed, steps, false, cleared(bed.directory / "timed")};

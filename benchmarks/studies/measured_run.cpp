@@ -70,9 +70,9 @@ double root_mean_square(const std::vector<double>& values) {
 double difference(const std::vector<double>& a, const std::vector<double>& b, double unit) {
   if (b.empty()) return 0;
   if (a.size() != b.size()) return NAN;
-  std::vector<double> apart(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) apart[i] = a[i] - b[i];
-  return root_mean_square(apart) / unit;
+  std::vector<double> difference(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) difference[i] = a[i] - b[i];
+  return root_mean_square(difference) / unit;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace furrow::benchmarks {
 namespace {
 
 constexpr double useless = 1;  // an error as large as what happens
-constexpr std::array<double Rung::*, 2> costs{&Rung::evaluations, &Rung::cpu};
+constexpr std::array<double WorkPrecisionPoint::*, 2> costs{&WorkPrecisionPoint::evaluations, &WorkPrecisionPoint::cpu};
 constexpr std::array<const char*, 2> cost_names{"evaluations", "cpu"};
 
 // Line styles of the script work_precision.gp, in its order.
@@ -44,11 +44,11 @@ int style_of(const std::string& curve) {
 }
 
 // Of the variants that locate events the chart shows some; all are in the tables and the data.
-std::string curve_of(const Ladder& ladder) {
-  std::string family = family_of(ladder.method);
-  if (family != ladder.method) return family;
-  const bool drawn = std::find(located.begin(), located.end(), ladder.name()) != located.end();
-  return ladder.locate != Locate::none && !drawn ? "" : ladder.name();
+std::string curve_of(const WorkPrecisionCurve& method_curve) {
+  std::string family = family_of(method_curve.method);
+  if (family != method_curve.method) return family;
+  const bool drawn = std::find(located.begin(), located.end(), method_curve.name()) != located.end();
+  return method_curve.locate != Locate::none && !drawn ? "" : method_curve.name();
 }
 
 struct Mark {
@@ -60,12 +60,12 @@ struct Curve {
   std::array<std::vector<double>, 2> failures;
 };
 
-void add(Curve& curve, const Ladder& ladder, bool by_force) {
+void add(Curve& curve, const WorkPrecisionCurve& method_curve, bool by_force) {
   double each = NAN;  // s, of CPU an evaluation
-  for (const Rung& p : ladder.points) {
+  for (const WorkPrecisionPoint& p : method_curve.points) {
     if (p.failure.empty()) each = p.cpu / p.evaluations;
   }
-  for (const Rung& p : ladder.points) {
+  for (const WorkPrecisionPoint& p : method_curve.points) {
     const bool failed = !p.failure.empty() || p.error_by(by_force) > useless;
     if (failed) {
       curve.failures[0].push_back(p.evaluations);
@@ -89,12 +89,13 @@ void keep_envelope(std::vector<Mark>& marks) {
   });
 }
 
-std::map<std::pair<int, std::string>, Curve> curves_of(const std::vector<Ladder>& ladders, bool by_force) {
+std::map<std::pair<int, std::string>, Curve> curves_of(const std::vector<WorkPrecisionCurve>& method_curves,
+                                                       bool by_force) {
   std::map<std::pair<int, std::string>, Curve> curves;
-  for (const Ladder& ladder : ladders) {
-    const std::string family = curve_of(ladder);
+  for (const WorkPrecisionCurve& method_curve : method_curves) {
+    const std::string family = curve_of(method_curve);
     if (family.empty()) continue;
-    add(curves[{style_of(family), family}], ladder, by_force);
+    add(curves[{style_of(family), family}], method_curve, by_force);
   }
   for (auto& [key, curve] : curves) {
     if (key.first < first_family_style) continue;
@@ -113,7 +114,8 @@ Json digits(double value) {
 
 }  // namespace
 
-Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders, double floor, const Rung* paper) {
+Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurve>& method_curves, double floor,
+                       const WorkPrecisionPoint* paper) {
   Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
   figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
                    " against evaluations and CPU time. Crosses: the run failed, or its error is above 1. Grey: the "
@@ -129,7 +131,7 @@ Figure precision_chart(const CaseInfo& info, const std::vector<Ladder>& ladders,
     figure.blocks["failures_" + std::string(name)] = Json::array();
     figure.blocks["star_" + std::string(name)] = Json::array();
   }
-  for (const auto& [key, curve] : curves_of(ladders, info.by_force)) {
+  for (const auto& [key, curve] : curves_of(method_curves, info.by_force)) {
     names += (count == 0 ? "" : ";") + key.second;
     styles += " " + std::to_string(key.first);
     ++count;

@@ -33,7 +33,7 @@ Outcome complete_run(const Case& scene, const Effort& effort) {
   return outcome;
 }
 
-double apart(const State& a, const State& b, int numbers) {
+double distance_of(const State& a, const State& b, int numbers) {
   double sum = 0;
   for (int i = 0; i < numbers; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
   return std::sqrt(sum);
@@ -61,7 +61,7 @@ Json predictability(const CaseInfo& info, const Case& scene) {
   std::array<std::unique_ptr<Method>, 2> method{make_method("pece"), make_method("pece")};
   const int numbers = static_cast<int>(scene.system.positions());
   for (int i = 0; i < numbers; ++i) y[1][i] *= i % 2 == 0 ? 1 + nudge : 1 - nudge;
-  std::vector<double> distance{apart(y[0], y[1], numbers)};
+  std::vector<double> distance{distance_of(y[0], y[1], numbers)};
   double gone = 0;
   const int pieces = static_cast<int>(std::lround(info.nudge_end / scene.span.interval));
   for (int n = 0; n < pieces; ++n) {
@@ -73,8 +73,8 @@ Json predictability(const CaseInfo& info, const Case& scene) {
               [](double, const State&, const JumpReport&) { return true; });
       if (end.ending != Ending::finished) throw Divergence(end.reason);
     }
-    distance.push_back(apart(y[0], y[1], numbers));
-    gone = std::max(gone, apart(y[0], scene.y, numbers));
+    distance.push_back(distance_of(y[0], y[1], numbers));
+    gone = std::max(gone, distance_of(y[0], scene.y, numbers));
   }
   Json result = {{"watched", info.nudge_end}, {"grown", distance.at(scene.span.samples) / distance[0]}};
   for (const double limit : limits) {

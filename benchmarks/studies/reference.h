@@ -1,4 +1,4 @@
-// What methods are compared with: two runs of a case by unrelated methods, and how long a scene can be foretold at all.
+// What methods are compared with: two runs of a case by unrelated methods, and how long a scene is predictable at all.
 #pragma once
 
 #include "benchmarks/studies/measured_run.h"

@@ -51,7 +51,7 @@ std::string widest_bound() {
 void add_rivals(Report& report, const Json& rivals) {
   std::vector<std::vector<Json>> rows;
   Json dots = Json::array();
-  const Json *pece = nullptr, *best = nullptr;  // best: of those that agree, furrow apart
+  const Json *pece = nullptr, *best = nullptr;  // best: of those that agree, furrow left out
   for (const Json& program : rivals.at("benchmarks")) {
     const bool ran = !program.value("error_occurred", false);
     if (ran && program.value("aggregate_name", "") != "median") continue;

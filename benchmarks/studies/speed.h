@@ -1,4 +1,4 @@
-// Parts of the study speed that tell of furrow alone; each adds nothing where its script has left no result.
+// Parts of the study speed that are about furrow alone; each adds nothing where its script has left no result.
 #pragma once
 
 #include <filesystem>

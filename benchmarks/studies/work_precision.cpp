@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <map>
 
-#include "benchmarks/studies/ladder.h"
 #include "benchmarks/studies/precision_chart.h"
 #include "benchmarks/studies/studies.h"
+#include "benchmarks/studies/work_precision_curve.h"
 #include "report/linearise.h"
 
 namespace furrow::benchmarks {
@@ -21,7 +21,7 @@ struct Found {
   CaseInfo info;
   Reference reference;
   Json foretold;
-  std::vector<Ladder> ladders;
+  std::vector<WorkPrecisionCurve> method_curves;
 };
 
 struct Cheapest {
@@ -29,22 +29,23 @@ struct Cheapest {
   double cost = NAN;
 };
 
-Cheapest cheapest_at(const Found& found, double error, double Rung::*cost) {
+Cheapest cheapest_at(const Found& found, double error, double WorkPrecisionPoint::*cost) {
   Cheapest best;
-  for (const Ladder& ladder : found.ladders) {
-    const double its = cost_at(ladder, error, found.info.by_force, cost);
-    if (its < best.cost || (std::isnan(best.cost) && !std::isnan(its))) best = {ladder.name(), its};
+  for (const WorkPrecisionCurve& method_curve : found.method_curves) {
+    const double its = cost_at(method_curve, error, found.info.by_force, cost);
+    if (its < best.cost || (std::isnan(best.cost) && !std::isnan(its))) best = {method_curve.name(), its};
   }
   return best;
 }
 
-const Ladder& paper_ladder(const Found& found) {
-  return *std::find_if(found.ladders.begin(), found.ladders.end(), [](const Ladder& l) { return l.name() == "pece"; });
+const WorkPrecisionCurve& paper_curve(const Found& found) {
+  return *std::find_if(found.method_curves.begin(), found.method_curves.end(),
+                       [](const WorkPrecisionCurve& l) { return l.name() == "pece"; });
 }
 
 // The paper's method at the paper's step, or nothing if that failed.
-const Rung* paper_point(const Found& found) {
-  for (const Rung& p : paper_ladder(found).points) {
+const WorkPrecisionPoint* paper_point(const Found& found) {
+  for (const WorkPrecisionPoint& p : paper_curve(found).points) {
     if (std::fabs(p.setting / paper_step - 1) < 1e-6 && p.failure.empty()) return &p;
   }
   return nullptr;
@@ -91,36 +92,37 @@ std::vector<Found> all_runs(const Settings& settings, const std::vector<CaseInfo
     found.push_back({wanted[k], reference_from(known[2 * k]), known[2 * k + 1], {}});
   }
   tasks.clear();
-  std::vector<std::pair<Found*, Variant>> climbers;
+  std::vector<std::pair<Found*, Variant>> to_measure;
   for (Found& f : found) {
     for (const MethodInfo& method : method_catalogue()) {
       for (const Locate locate : f.info.locate) {
-        if (locate == Locate::none || method.family == "own") climbers.push_back({&f, {method, locate}});
+        if (locate == Locate::none || method.family == "own") to_measure.push_back({&f, {method, locate}});
       }
     }
   }
-  for (const auto& climber : climbers) {
-    Found* f = climber.first;
-    const Variant variant = climber.second;
+  for (const auto& one : to_measure) {
+    Found* f = one.first;
+    const Variant variant = one.second;
     tasks.push_back(
-        {f->info.name + " " + Ladder{.method = variant.method.name, .locate = variant.locate}.name(),
-         [&scenes, f, variant] { return json_of(climb(variant, f->info, scenes.of(f->info), f->reference)); }});
+        {f->info.name + " " + WorkPrecisionCurve{.method = variant.method.name, .locate = variant.locate}.name(),
+         [&scenes, f, variant] { return json_of(measure_curve(variant, f->info, scenes.of(f->info), f->reference)); }});
   }
   Settings alone = settings;  // two at a time disturb each other's caches
   alone.jobs = 1;
-  const std::vector<Json> climbed = run_tasks("work_precision", alone, tasks);
-  for (std::size_t k = 0; k < climbed.size(); ++k) {
-    const auto& [f, variant] = climbers[k];
-    Ladder failed{.method = variant.method.name, .locate = variant.locate, .left_out = climbed[k].value("failed", "")};
-    f->ladders.push_back(climbed[k].contains("failed") ? failed : ladder_from(climbed[k]));
+  const std::vector<Json> results = run_tasks("work_precision", alone, tasks);
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const auto& [f, variant] = to_measure[k];
+    WorkPrecisionCurve failed{
+        .method = variant.method.name, .locate = variant.locate, .left_out = results[k].value("failed", "")};
+    f->method_curves.push_back(results[k].contains("failed") ? failed : curve_from(results[k]));
   }
   return found;
 }
 
 // A line a point: the result is to be read in a diff.
-Json lines_of(const Ladder& ladder) {
+Json lines_of(const WorkPrecisionCurve& method_curve) {
   Json lines = Json::array();
-  for (const Rung& p : ladder.points) {
+  for (const WorkPrecisionPoint& p : method_curve.points) {
     std::string line = shown(p.setting, "%.6g") + " " + shown(p.evaluations, "%.8g");
     for (const double value : {p.error.place, p.error.force, p.cpu, p.cpu_least, p.cpu_most})
       line += " " + shown(value, "%.4g");
@@ -135,19 +137,19 @@ Json lines_of(const Ladder& ladder) {
 void add_gains(Report& report, const std::vector<Found>& all) {
   std::vector<std::vector<Json>> rows;
   for (const Found& f : all) {
-    const Rung* paper = paper_point(f);
+    const WorkPrecisionPoint* paper = paper_point(f);
     std::vector<std::pair<std::string, double>> asked;
     if (paper)
       asked.emplace_back(shown(paper->error_by(f.info.by_force)) + ", the paper's", paper->error_by(f.info.by_force));
     for (const double target : targets) asked.emplace_back(shown(target), target);
     for (const auto& [words, error] : asked) {
       std::vector<Json> row{f.info.name, words};
-      for (const auto cost : {&Rung::evaluations, &Rung::cpu}) {
+      for (const auto cost : {&WorkPrecisionPoint::evaluations, &WorkPrecisionPoint::cpu}) {
         const bool blind = error < floor_of(f);
         const Cheapest best = blind ? Cheapest{} : cheapest_at(f, error, cost);
         const double own = paper && error == paper->error_by(f.info.by_force)
                                ? paper->*cost
-                               : cost_at(paper_ladder(f), error, f.info.by_force, cost);
+                               : cost_at(paper_curve(f), error, f.info.by_force, cost);
         row.emplace_back(blind ? "not resolved" : best.method.empty() ? "none" : best.method);
         row.push_back(number_or_dash(best.cost));
         row.push_back(number_or_dash(own / best.cost));
@@ -213,14 +215,14 @@ void add_bound(Report& report, const Found& f, double papers) {
 }
 
 void add_paper(Report& report, const Found& f) {
-  const Rung* paper = paper_point(f);
+  const WorkPrecisionPoint* paper = paper_point(f);
   if (!paper) {
     report.claim(f.info.name + ": the paper's setting comes to the end", false);
     return;
   }
   const double error = paper->error_by(f.info.by_force);
-  const Cheapest by_count = cheapest_at(f, error, &Rung::evaluations);
-  const Cheapest by_cpu = cheapest_at(f, error, &Rung::cpu);
+  const Cheapest by_count = cheapest_at(f, error, &WorkPrecisionPoint::evaluations);
+  const Cheapest by_cpu = cheapest_at(f, error, &WorkPrecisionPoint::cpu);
   const double count = by_count.cost / paper->evaluations;
   const double cpu = by_cpu.cost / paper->cpu;
   const bool third = count <= 1.0 / 3 && cpu <= 1.0 / 3;
@@ -234,10 +236,10 @@ void add_paper(Report& report, const Found& f) {
 // By method the finest setting that failed, and one failure in full.
 void add_failures(Report& report, const Found& f) {
   std::string left_out, failed, example;
-  for (const Ladder& l : f.ladders) {
+  for (const WorkPrecisionCurve& l : f.method_curves) {
     if (!l.left_out.empty()) left_out += " " + l.name() + " is left out: " + l.left_out + ".";
-    const auto finest =
-        std::find_if(l.points.rbegin(), l.points.rend(), [](const Rung& p) { return !p.failure.empty(); });
+    const auto finest = std::find_if(l.points.rbegin(), l.points.rend(),
+                                     [](const WorkPrecisionPoint& p) { return !p.failure.empty(); });
     if (finest == l.points.rend()) continue;
     failed += (failed.empty() ? "" : ", ") + l.name() + " " + shown(finest->setting);
     if (example.empty()) example = l.name() + " at " + shown(finest->setting) + ": " + finest->failure;
@@ -273,15 +275,15 @@ Json work_precision(const Settings& settings) {
   add_gains(report, all);
   for (const Found& f : all) {
     report.heading(f.info.name + ": " + f.info.title);
-    const Rung* paper = paper_point(f);
-    report.figure(precision_chart(f.info, f.ladders, floor_of(f), paper));
+    const WorkPrecisionPoint* paper = paper_point(f);
+    report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper));
     add_failures(report, f);
   }
   add_references(report, all);
   add_predictability(report, all);
   Json data = {{"columns", "setting evaluations position_error force_error cpu cpu_least cpu_most, or failure"}};
   for (const Found& f : all) {
-    for (const Ladder& l : f.ladders) data[f.info.name][l.name()] = lines_of(l);
+    for (const WorkPrecisionCurve& l : f.method_curves) data[f.info.name][l.name()] = lines_of(l);
   }
   return report.data(std::move(data)).json();
 }

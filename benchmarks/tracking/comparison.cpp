@@ -43,7 +43,7 @@ Json rounded(const std::vector<double>& values) {
   return list;
 }
 
-// As Google Benchmark writes it, with more keys behind: times are of one call, instructions and samples of all calls.
+// As Google Benchmark writes it, with more keys: times are of one call, instructions and samples of all calls.
 Json result_of(const std::string& name, const Samples& s, const Json& now, const Json& base) {
   const double calls = now.at("calls");
   const auto a_call = [&](const std::vector<double>& all) {

@@ -6,7 +6,7 @@
 namespace furrow::benchmarks {
 
 // Runs each kernel of both builds in turn, and the base a second time, whose difference from itself is the noise floor.
-// Exit code of track.cpp; an answer that differs is told, and its kernel not compared.
+// Exit code of track.cpp; an answer that differs is reported, and its kernel not compared.
 int compare(const Build& build, const Build& base, int rounds);
 
 }  // namespace furrow::benchmarks

@@ -3,7 +3,7 @@
 // usage: track_kernels beds DIRECTORY                   makes the scenes that kernels start from
 //        track_kernels list                             one line a kernel
 //        track_kernels run NAME DIRECTORY [REPETITIONS] one line of JSON; with 0 repetitions the kernel runs once and
-//                                                       neither its time nor its error is told
+//                                                       neither its time nor its error is said
 // NAME may also be one of the paper's scenes, which are run as a whole.
 // Exit codes: 0 good, 1 repetitions do not agree on the answer, 2 usage, 4 input or output.
 #include <algorithm>

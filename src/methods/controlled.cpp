@@ -67,7 +67,7 @@ double ControlledMethod::step(const OdeSystem& system, double t, State& y, doubl
     }
     ++rejections_;
     cut = false;
-    steps_ = 0;  // the filter starts anew
+    steps_ = 0;  // the filter starts again
     trial *= error < infinity ? std::max(power_3_8(target / error), 0.1) : 0.1;
     proposal_ = trial;
   }

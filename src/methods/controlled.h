@@ -1,12 +1,12 @@
 // Error control and choice of step for methods whose error of one step is of third order, as the rest of furrow's own
 // methods of order 2 have it.
 //
-//   error    max over the controlled numbers of |e_i| / (absolute + relative (|y_i| + h |y'_i|)); a step is good up to
-//   1 accepted h_(n+1) = h_n (s / e_n)^(1/8) (s / e_(n-1))^(1/8) (h_n / h_(n-1))^(-3/8) rejected h       = h (s /
-//   e)^(3/8)
+//   error     e = max over the controlled numbers of |e_i| / (absolute + relative (|y_i| + h |y'_i|)),  good up to 1
+//   accepted  h_(n+1) = h_n (s / e_n)^(1/8) (s / e_(n-1))^(1/8) (h_n / h_(n-1))^(-3/8)
+//   rejected  h       = h (s / e)^(3/8)
 //
 // with s = 1/2: Soederlind's digital filter H211b with b k = 8 for k = 3, so that its powers are square roots and the
-// steps are the same on every machine. It answers a kink, and an error that stability holds up, without hunting.
+// steps are the same on every machine. Its steps do not swing after a kink, nor where stability limits them.
 // Sources: Soederlind 2003 (ACM Trans. Math. Softw. 29, 1); Soederlind and Wang 2006 (J. Comput. Appl. Math. 185, 225).
 #pragma once
 

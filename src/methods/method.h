@@ -19,11 +19,11 @@ struct MethodInfo {
   int evaluations = 0;  // of f a step, started and without rejections
   bool controlled = false;
   std::string family = "own";
-  bool conservative = false;    // carries only systems without forces that depend on velocity
+  bool conservative = false;    // only for systems without forces that depend on velocity
   bool dense_jacobian = false;  // takes one by differences: as many evaluations more as the state has numbers
 };
 
-// Why the method cannot carry the system, and what to do; empty if it can.
+// Why the method cannot integrate the system, and what to do; empty if it can.
 std::string refusal(const MethodInfo& method, const OdeSystem& system);
 
 struct Tolerances {
@@ -38,26 +38,26 @@ class Method {
   Method(const Method&) = delete;
   Method& operator=(const Method&) = delete;
 
-  // Carries y from t over h, or, for a controlled method, over what it dares, and returns how far (s).
+  // Carries y from t over h, or, for a controlled method, over the step that it chooses, at most h; returns it (s).
   // Throws Divergence if no step could be made; y is then as before.
   virtual double step(const OdeSystem& system, double t, State& y, double h) = 0;
 
-  // The right-hand side has jumped: what is remembered of it is worth nothing.
+  // The right-hand side has jumped: what the method remembers of it is of no use.
   virtual void restart() {}
 
   // Only the state was touched: a sliding contact's tangential spring returned to its limit. The forces are as before,
   // the rates of the springs and of the ledger are not.
   virtual void state_changed() {}
 
-  // Whoever knows the rates where the next step starts may say so before it, once for each step; the method then spares
-  // itself that evaluation, which counts all the same. `rates` gets other contents.
+  // Hands over the rates at the start of the next step, once for each step, if the caller knows them; the method saves
+  // that evaluation, but counts it. `rates` gets other contents.
   void know(double t, State& rates) {
     known_at_ = t;
     known_.swap(rates);
   }
   void know_nothing() { known_at_ = NAN; }
 
-  // Where the last step started from, if the method has kept it: then y was left as it is until the step had succeeded.
+  // Where the last step started from, if the method has kept it: then y did not change until the step had succeeded.
   virtual const State* start() const { return nullptr; }
 
   // All that is carried from one step to the next.

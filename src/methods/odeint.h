@@ -1,6 +1,6 @@
 // What the adapters of Boost.Odeint share. The steppers' headers are slow to compile: they stay in odeint_*.cpp.
 //
-// Traps of Boost 1.74 handled here and there, each where it says so: buffers that never grow, multistep histories that
+// Traps of Boost 1.74, each handled and named where it occurs: buffers that never grow, multistep histories that
 // outlive a jump or another step, in-place starters, `order()` one too high, error norms that take a NaN for a good
 // step, retries without end, forces evaluated with old velocities, a time that symplectic steppers do not pass on, and
 // a std::exit(0). The integrate_* functions, which drop last steps, are not used: run() steps.

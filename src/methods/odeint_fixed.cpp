@@ -48,7 +48,7 @@ Bashforth<N>& predictor(BashforthMoulton<N>& stepper) {
 }
 
 // Of a multistep method: how many steps were made since the start, and the rates at them. The stepper is a new one
-// afterwards, with rooms for states of the size that is returned.
+// afterwards, with buffers for states of the size that is returned.
 template <class Stepper>
 std::size_t remember_rates(Stepper& stepper, HistoryVisitor& visit) {
   Stepper after;
@@ -64,8 +64,8 @@ std::size_t remember_rates(Stepper& stepper, HistoryVisitor& visit) {
   return to.step_storage()[0].m_v.size();
 }
 
-// A stepper's rooms keep the size of the first state for good: another size takes a new stepper, or the heap suffers. A
-// history belongs to its step size: with another one ab<2..> and abm<3..> drop to first order, so they start again.
+// Buffers keep the size of the first state, and a stepper would write beyond them: another size takes a new stepper.
+// A history belongs to its step size: with another one ab<2..> and abm<3..> drop to first order, so they restart.
 template <class Stepper>
 class Fixed final : public Method {
  public:

@@ -24,7 +24,7 @@ class Differences {
 
   void set(Rhs rhs, const OdeSystem& system) {
     rhs_ = std::move(rhs);
-    counted_ = system.controlled();  // nothing depends on the numbers behind them, the ledger
+    counted_ = system.controlled();  // nothing depends on the numbers after them, the ledger
   }
 
   void f(const Vector& x, Vector& dxdt, double t) {

@@ -1,6 +1,7 @@
 // Predictor AB2, corrector AM2 (the trapezoid rule): the paper's method and its two neighbours.
 //
-//   P  y* = y_n + h ((1 + r/2) f_n - r/2 f_(n-1)),  r = h / h_before      C  y_(n+1) = y_n + h/2 (f(t_(n+1), y*) + f_n)
+//   P  y*      = y_n + h ((1 + r/2) f_n - r/2 f_(n-1)),  r = h / h_before
+//   C  y_(n+1) = y_n + h/2 (f(t_(n+1), y*) + f_n)
 //
 //   form        evaluated as                      evaluations   real axis   imaginary axis
 //   pec         f_n = f(t_n, y*), never corrected      1          0.5         0.667
@@ -8,10 +9,10 @@
 //   pecece      C once more with y_(n+1) for y*        3          1.478       1.691
 //
 // r = 1 gives the usual 3/2 and 1/2. The first step, and the first after a restart, takes f_(n-1) = f_n (Heun). Order 2
-// at any step ratio. pece and pecece evaluate f_n anew from the accepted state, which a jump may have changed; pec
+// at any step ratio. pece and pecece evaluate f_n again from the accepted state, which a jump may have changed; pec
 // keeps the rate of its prediction, where a sliding contact has the same force and the same slip, so only the rates of
-// the energy ledger are a step late there. Stable for h lambda from minus the limit to 0 on the real axis, up to |h
-// lambda| on the imaginary one. Sources: Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al.
+// the energy ledger are a step late there. Stable for h lambda from minus the limit to 0 on the real axis, up to
+// |h lambda| on the imaginary one. Sources: Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al.
 // 2004, as the paper cites it; the forms: Hairer, Norsett and Wanner, Solving ODEs I, III.1 and III.8.
 #include "kernel/passes.h"
 #include "methods/method.h"

@@ -1,7 +1,9 @@
 // The paper's pair with error control: PECE with steps of any length, whose error Milne's device gives for nothing.
 //
-//   y*, y_(n+1) as in pece.cpp, r = h / h_before
-//   y* misses by h^3 (1/6 + 1/(4 r)) y''', y_(n+1) by -h^3/12 y''', so   e = r / (3 (1 + r)) (y_(n+1) - y*)
+//   y*, y_(n+1)  as in pece.cpp, r = h / h_before
+//   y*           misses by h^3 (1/6 + 1/(4 r)) y'''
+//   y_(n+1)      misses by -h^3/12 y''', so
+//   e            = r / (3 (1 + r)) (y_(n+1) - y*)
 //
 // Without history y* is Euler's and y_(n+1) Heun's, and e = (y_(n+1) - y*)/2, which is h times too large: the first
 // step is short. Order 2, two evaluations a step, one for each rejected try. Sources: Milne 1926; Hairer, Norsett and

@@ -1,7 +1,10 @@
 // The classical Runge-Kutta method. Order 4, four evaluations a step; stable to -2.785 on the real axis and 2.828 on
 // the imaginary one. Source: Kutta 1901.
 //
-//   k1 = f(t, y), k2 = f(t + h/2, y + h/2 k1), k3 = f(t + h/2, y + h/2 k2), k4 = f(t + h, y + h k3)
+//   k1 = f(t, y)
+//   k2 = f(t + h/2, y + h/2 k1)
+//   k3 = f(t + h/2, y + h/2 k2)
+//   k4 = f(t + h, y + h k3)
 //   y_(n+1) = y_n + h/6 (k1 + 2 k2 + 2 k3 + k4)
 #include "methods/method.h"
 

@@ -1,11 +1,21 @@
 // Stabilised explicit Runge-Kutta-Chebyshev method RKC with error control: for systems whose stiffness is damping.
 //
-//   Y_0 = y_n,  Y_1 = Y_0 + mu'_1 h F_0,  F_j = f(t_n + c_j h, Y_j),  y_(n+1) = Y_s
-//   Y_j = (1 - mu_j - nu_j) Y_0 + mu_j Y_(j-1) + nu_j Y_(j-2) + mu'_j h F_(j-1) + gamma_j h F_0,        j = 2 ... s
-//   w0 = 1 + epsilon/s^2,  w1 = T'_s(w0) / T''_s(w0),  b_j = T''_j / T'_j^2,  b_0 = b_1 = b_2,  a_j = 1 - b_j T_j
-//   mu'_1 = b_1 w1,  mu_j = 2 b_j w0 / b_(j-1),  nu_j = -b_j / b_(j-2),  mu'_j = 2 b_j w1 / b_(j-1),
-//   gamma_j = -a_(j-1) mu'_j,  c_j = w1 T''_j / T'_j,  c_1 = c_2 / T'_2
-//   e = 0.8 (y_n - y_(n+1)) + 0.4 h (F_0 + f(t_(n+1), y_(n+1)))
+//   Y_0     = y_n
+//   Y_1     = Y_0 + mu'_1 h F_0
+//   Y_j     = (1 - mu_j - nu_j) Y_0 + mu_j Y_(j-1) + nu_j Y_(j-2) + mu'_j h F_(j-1) + gamma_j h F_0,  j = 2 ... s
+//   F_j     = f(t_n + c_j h, Y_j)
+//   y_(n+1) = Y_s
+//   e       = 0.8 (y_n - y_(n+1)) + 0.4 h (F_0 + f(t_(n+1), y_(n+1)))
+//
+//   w0      = 1 + epsilon/s^2
+//   w1      = T'_s(w0) / T''_s(w0)
+//   b_j     = T''_j / T'_j^2,             b_0 = b_1 = b_2
+//   a_j     = 1 - b_j T_j
+//   mu_j    = 2 b_j w0 / b_(j-1)
+//   mu'_j   = 2 b_j w1 / b_(j-1),         mu'_1 = b_1 w1
+//   nu_j    = -b_j / b_(j-2)
+//   gamma_j = -a_(j-1) mu'_j
+//   c_j     = w1 T''_j / T'_j,            c_1 = c_2 / T'_2
 //
 // with Chebyshev's polynomials T_j, all taken at w0, and damping epsilon = 2/13. Order 2. Stable on the real axis for
 // -0.65 (s^2 - 1) < h lambda < 0: a step ten times beyond the limit of an ordinary method costs three times as much,
@@ -13,7 +23,7 @@
 // jump, and those of the power iteration.
 //
 // s follows from the spectral radius, by a nonlinear power iteration whose vector is kept. It is a lower bound that has
-// nearly converged, so a margin is added; an estimate that was too low shows as a large error, and is made anew.
+// nearly converged, so a margin is added; an estimate that was too low shows as a large error, and is made again.
 //
 // Rejected: Ros2 as a W-method with the damping matrix of contacts and links, factorised by sparse LDL^T. In scenes 2
 // and 3 it takes a third to an eighth of the evaluations at equal error, but an evaluation is so cheap that its solves

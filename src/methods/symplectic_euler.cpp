@@ -1,6 +1,7 @@
 // Symplectic (semi-implicit) Euler, the usual method of discrete element programs.
 //
-//   v_(n+1) = v_n + h a(t_n, q_n, v_n),  z likewise      q_(n+1) = q_n + h v_(n+1)
+//   v_(n+1) = v_n + h a(t_n, q_n, v_n),  z likewise
+//   q_(n+1) = q_n + h v_(n+1)
 //
 // Order 1, one evaluation a step. Symplectic without damping, and stable to h omega = 2; with the damping ratio zeta to
 // h omega = 2 (sqrt(1 + zeta^2) - zeta); on the real axis, of z, to 2. Source: de Vogelaere 1956; Hairer, Lubich and

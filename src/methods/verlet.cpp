@@ -1,7 +1,10 @@
 // Velocity Verlet for forces that depend on velocity.
 //
-//   q_(n+1) = q_n + h v_n + h^2/2 a_n        v* = v_n + h a_n         z* = z_n + h z'_n
-//   a_(n+1) = a(t_(n+1), q_(n+1), v*, z*)    v_(n+1) = v_n + h/2 (a_n + a_(n+1)),  z likewise
+//   q_(n+1) = q_n + h v_n + h^2/2 a_n
+//   v*      = v_n + h a_n
+//   z*      = z_n + h z'_n
+//   a_(n+1) = a(t_(n+1), q_(n+1), v*, z*)
+//   v_(n+1) = v_n + h/2 (a_n + a_(n+1)),  z likewise
 //
 // The usual form takes a(q_(n+1), v_n), whose velocity is a step old: it drops to first order with any damping. With
 // the predicted v* it is of order 2 again, still with one evaluation a step: a_(n+1) differs from a(q_(n+1), v_(n+1))
@@ -35,7 +38,7 @@ class Verlet final : public Method {
     return h;
   }
 
-  // A returned spring leaves the force as it is, but not the rates of the energy ledger: evaluated anew, they keep
+  // A returned spring leaves the force as it is, but not the rates of the energy ledger: evaluated again, they keep
   // order 2.
   void restart() override { started_ = false; }
   void state_changed() override { started_ = false; }

@@ -5,8 +5,8 @@
 //   8 bytes  64-bit FNV-1a of all before
 //
 // Integers and doubles are little-endian. The bytes of a part are what a HistoryVisitor saw: each item a letter for its
-// type, its name and its value, so that a program of another mind finds a name that it does not know, not numbers of
-// another meaning.
+// type, its name and its value, so that a program of another version finds a name that it does not know, not numbers
+// of another meaning.
 #pragma once
 
 #include <cstdint>

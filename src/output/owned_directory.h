@@ -16,10 +16,10 @@ class OwnedDirectory {
  public:
   enum class Earlier { replaced, kept };
 
-  // Takes a new directory, an empty one, or one that `kind` has left behind in whatever way, for `files`: names
+  // Takes a new directory, an empty one, or one that `kind` has left in whatever way, for `files`: names
   // relative to the directory, which is held against other processes until the end. A directory that holds anything
   // else, that another process holds, or in which something else stands where a file must be written, is refused by a
-  // FileError, and nothing is changed. Files of the owner before are removed, or kept to be gone on with.
+  // FileError, and nothing is changed. Files of the owner before are removed, or kept to be continued.
   OwnedDirectory(std::filesystem::path directory, std::string kind, const std::vector<std::string>& files,
                  Earlier earlier = Earlier::replaced);
   ~OwnedDirectory();

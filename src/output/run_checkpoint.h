@@ -1,4 +1,4 @@
-// What a run keeps in its directory to be gone on with: the file `checkpoint`. It holds all that outlasts a step:
+// What a run keeps in its directory to be resumed from: the file `checkpoint`. It holds all that outlasts a step:
 // state, discrete state, history of the method, where the run stands, how far its files have come. The prepared scene
 // is not in it, for it follows from the scene and the height of the settled bed, both of which are.
 #pragma once

@@ -39,7 +39,7 @@ struct RunOutcome {
 // program.
 RunOutcome run_with_files(const RunRequest& request);
 
-// Whether there is anything to go on from.
+// Whether there is anything to resume from.
 bool has_checkpoint(const std::filesystem::path& directory);
 
 }  // namespace furrow

@@ -1,17 +1,22 @@
 // The contact law of Hertz and Mindlin: Hertz's normal force, Mindlin's tangential stiffness without slip, viscous
 // damping of both, and sliding at the Coulomb limit.
 //
-//   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j      1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
-//   1/R* = 1/R_i + 1/R_j                            1/m* = 1/m_i + 1/m_j
-//   Fe = 4/3 E* sqrt(R*) d^(3/2)       Sn = 2 E* sqrt(R* d)       Fv = 2 sqrt(5/6) beta sqrt(Sn m*) d'
-//   Fn = max(0, Fe + Fv)               without the max if the contact may pull; friction then takes max(0, Fn)
+//   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j
+//   1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
+//   1/R* = 1/R_i + 1/R_j
+//   1/m* = 1/m_i + 1/m_j
+//
+//   Fe = 4/3 E* sqrt(R*) d^(3/2)
+//   Sn = 2 E* sqrt(R* d)
+//   Fv = 2 sqrt(5/6) beta sqrt(Sn m*) d'
+//   Fn = max(0, Fe + Fv)                            without the max if the contact may pull
 //   St = 8 G* sqrt(R* d)
-//   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu Fn
-//   M  = -mu_r R* Fn w / sqrt(w^2 + w0^2)           R* serves as the rolling radius too
+//   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu max(0, Fn)
+//   M  = -mu_r R* max(0, Fn) w / sqrt(w^2 + w0^2)
 //
 // with overlap d >= 0 (0 by rounding, between discs), approach speed d', slip speed vt, tangential displacement xi,
-// relative spin w = omega_i - omega_j. Which radius, mass, arm and normal each kind of contact has: system/contact.h.
-// The life of xi: system/discrete.h. What follows from the law for an impact: physics/impact.h.
+// relative spin w = omega_i - omega_j. R* serves as the rolling radius too. Which radius, mass, arm and normal each kind
+// of contact has: system/contact.h. The life of xi: system/discrete.h. What follows for an impact: physics/impact.h.
 //
 // Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form
 // of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525). Valid for small overlap against the radius; the soil of the
@@ -135,10 +140,12 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
   return f;
 }
 
-// W: at which rate one contact takes mechanical energy away, by cause; but for `stiffening`, which gives. The
-// tangential spring holds 1/2 St xi^2. That changes by the slip, St xi vt, and because St, which goes with sqrt(d),
-// follows the overlap: 1/2 xi^2 dSt/dt = 1/4 xi^2 St d'/d, the `stiffening`, which no force pays for: a property of
-// Mindlin's law without rescaling.
+// W: at which rate one contact takes mechanical energy away, by cause; but for `stiffening`, which gives. The tangential
+// spring holds 1/2 St xi^2, and St goes with sqrt(d):
+//
+//   d/dt (1/2 St xi^2) = St xi vt + 1/4 xi^2 St d'/d
+//
+// The second term, `stiffening`, is paid for by no force: a property of Mindlin's law without rescaling.
 struct TouchPowers {
   double viscous;     // by the normal damper
   double sticking;    // by the tangential damper, while the contact sticks

@@ -1,5 +1,9 @@
 // Mass and inertia of a disc in its two readings. The paper does not say which one it uses.
-//   disc:    V = pi R^2 b,    I = m R^2/2        sphere:  V = 4/3 pi R^3,  I = 2/5 m R^2
+//
+//   disc    V = pi R^2 b
+//           I = m R^2/2
+//   sphere  V = 4/3 pi R^3
+//           I = 2/5 m R^2
 #pragma once
 
 namespace furrow {

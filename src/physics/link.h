@@ -1,9 +1,12 @@
-// Spring and damper in parallel between two nodes of a lattice.
+// Spring and damper in parallel between two nodes of a lattice; forces on node i.
 //
-//   F_k = -k (|r| - l) e,   F_c = -c (v . e) e  (axial)  or  -c v  (full),   r = r_i - r_j, v = v_i - v_j, e = r/|r|
+//   r   = r_i - r_j,  v = v_i - v_j,  e = r/|r|
+//   F_k = -k (|r| - l) e
+//   F_c = -c (v . e) e   axial
+//   F_c = -c v           full
 //
-// forces on node i. The paper's Eq. (1) has the opposite sign as printed, under which a stretched spring pushes apart;
-// its Eq. (2) as printed is the `full` form, which brakes a rigid rotation, while its text says the axial one.
+// The paper's Eq. (1) has the opposite sign as printed, under which a stretched spring pushes its ends away from each
+// other; its Eq. (2) as printed is the `full` form, which brakes a rigid rotation, while its text says the axial one.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Stress of a disc from the forces at its contacts.
 //
-//   sigma = (1/V) sum over contacts of b (x) F, symmetric part;  von Mises in the plane sqrt(sxx^2 - sxx syy + syy^2 +
-//   3 sxy^2)
+//   sigma     = (1/V) sum over contacts of b (x) F, symmetric part
+//   von Mises = sqrt(sxx^2 - sxx syy + syy^2 + 3 sxy^2), in the plane
 //
 // b points from the centre to the contact point, F acts on the disc, V is its volume. Tension is positive.
 // Source: Rojek, Karlis, Malinowski and Beer 2013, as the paper cites it.

@@ -1,5 +1,5 @@
 // Results that are kept as JSON carry a seal, a hash of all else that they say: one that was cut short, joined from two
-// or changed by hand is then told from one that a program has written.
+// or changed by hand is then distinguished from one that a program has written.
 #pragma once
 
 #include <filesystem>

@@ -38,7 +38,7 @@ struct Task {
 // they failed. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
 std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks);
 
-// A figure of the page: a script of validation/figures behind variables and data blocks (see page/gnuplot.h).
+// A figure of the page: a script of validation/figures after variables and data blocks (see page/gnuplot.h).
 struct Figure {
   std::string name;    // stem of its file, unlike that of any other figure
   std::string script;  // "order.gp"

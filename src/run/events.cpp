@@ -161,7 +161,7 @@ double EventSteps::back_to_tear(double t, const State& before, double reached, S
   return t + torn * h;
 }
 
-// The end of the next step: of the usual one, or shorter behind a touch. A rest of less than half a step is not left.
+// The end of the next step: of the usual one, or shorter after a touch. A rest of less than half a step is not left.
 double EventSteps::next_time(double t, double end, double h) {
   double length = end - t;
   std::erase_if(memory_.grades, [&](const Grade& g) {
@@ -183,8 +183,8 @@ void EventSteps::accept(const State& before, double t, State& y, double h, JumpR
   report.grown = {report.grown.count + one.grown.count, one.grown.before_end};
 }
 
-// From (t, y) to just behind the event that a trial step met before `bound`. The first two steps stop short of it, so
-// that no stage of a method of some length sees the forces behind the event; the last one, which crosses, is short.
+// From (t, y) to just after the event that a trial step met before `bound`. The first two steps stop short of it, so
+// that no stage of a method of some length sees the forces after the event; the last one, which crosses, is short.
 double EventSteps::approach(double t, State& y, double bound, JumpReport& report) {
   const double span = bound - t;
   double short_of = 0.03;  // of the way; the error of the extrapolation goes with the square of the step

@@ -1,15 +1,16 @@
 // Steps that end at events: a link exceeds its strength; a contact begins or ends, its normal force is or is no longer
 // held at zero, it starts or stops to slide. Inside a step such an event costs a method its order: at most alpha + 1 is
-// left where the force behind it grows like (t - t_event)^alpha. Here it is stepped on, and what the method remembers
+// left where the force after it grows like (t - t_event)^alpha. Here it is stepped on, and what the method remembers
 // is dropped. No force changes at a tear before the jump: it is found on Hermite's cubic through both ends of the step,
 // of order 4, for two evaluations (Hairer, Norsett and Wanner, Solving ODEs I, II.6). The others are approached by
-// shorter and shorter steps. Behind a touch, where the force is a fractional power of the time, steps are graded,
+// shorter and shorter steps. After a touch, where the force is a fractional power of the time, steps are graded,
 //
-//   t = t_touch + T s^q,  s uniform,  q = 2 without and 4 with damping:  order min(p, q (alpha + 1))
+//   t = t_touch + T s^q,  s uniform,  q = 2 without and 4 with damping
+//   order min(p, q (alpha + 1))
 //
 // with alpha = 3/2 for Hertz's law, 1/4 with damping in sqrt(Sn), so that any p up to 5 is restored. T is a quarter of
 // the contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5), to a power of two. Not located: a disc
-// that passes from one auxiliary point of a border to the next, a corner of a plate, the fractional power in front of
+// that passes from one auxiliary point of a border to the next, a corner of a plate, the fractional power before
 // the end of an undamped contact, a tangential spring that reaches its limit while it slides (order 2 is left), and
 // what begins and ends within one step. Source of the order rule: graded meshes for weakly singular equations, Brunner
 // 1985 (Math. Comput. 45, 417).
@@ -61,7 +62,7 @@ class EventSteps {
   EventSteps(System& system, Method& method, Locate what, Check check, Validity* validity, EventMemory& memory)
       : system_(system), method_(method), what_(what), check_(std::move(check)), validity_(validity), memory_(memory) {}
 
-  // Carries y from t to `end`, or, for a controlled method, as far as it dares, applies the jumps on the way and
+  // Carries y from t to `end`, or, for a controlled method, over a step of its choice, applies the jumps on the way and
   // reports them together. `h` is the usual step. Returns the time reached. Throws Divergence, also where events are
   // too many for it to make sense.
   double step(double t, State& y, double end, double h, JumpReport& report);

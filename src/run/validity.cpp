@@ -140,9 +140,9 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
     w.ends_above = rule.ends_above;
     w.allowed = furrow::allowed(scene, rule.kind);
   }
-  const bool books = system.keeps_ledger();
-  watch_[static_cast<std::size_t>(WatchKind::energy_made)].watched = books;
-  watch_[static_cast<std::size_t>(WatchKind::energy_lost)].watched = books;
+  const bool ledger = system.keeps_ledger();
+  watch_[static_cast<std::size_t>(WatchKind::energy_made)].watched = ledger;
+  watch_[static_cast<std::size_t>(WatchKind::energy_lost)].watched = ledger;
   step_ = make_method(scene.time.method)->info().controlled ? scene.time.max_step : scene.time.step;
   const Parts& parts = system.parts();
   extremes_.plate.resize(parts.plate.size());

@@ -11,7 +11,7 @@
 
 namespace furrow {
 
-// Paths of what could not be read. What hangs on one of them is not judged: it would be judged by a default.
+// Paths of what could not be read. What depends on one of them is not judged: it would be judged by a default.
 class Unread {
  public:
   void add(const std::string& path) { paths_.insert(path); }
@@ -39,7 +39,7 @@ class Unread {
 struct Finding {
   std::string path;                   // as in "lattice[0].node[2].row"
   std::string message;                // what is wrong, and what to do
-  std::vector<std::string> others{};  // further paths that it hangs on
+  std::vector<std::string> others{};  // further paths that it depends on
   bool warning = false;
 };
 

@@ -90,7 +90,7 @@ class NumberJudge {
     return {.young = *m.young, .poisson = m.poisson ? *m.poisson : *m.young / (2 * *m.shear) - 1};
   }
 
-  // Whether its constants are given and allowed; if not, that is told elsewhere.
+  // Whether its constants are given and allowed; if not, that is reported elsewhere.
   static bool complete(const Material& m) {
     if (m.rigid) return true;
     if (!m.young || (!m.poisson && !m.shear)) return false;

@@ -41,7 +41,7 @@ std::vector<Problem> start_problems(const Scene& scene);
 // What may be meant but is worth a look, one line each: parts that overlap at the start, keys without effect.
 std::vector<std::string> scene_warnings(const Scene& scene);
 
-// A scene file read as far as it can be, with the place of each value, so that what is found later can be told by it.
+// A scene file read as far as it can be, with the place of each value, so that later findings can name it.
 class SceneFile {
  public:
   // Throws std::runtime_error if the file cannot be read, SceneError if it is not TOML.
@@ -54,7 +54,7 @@ class SceneFile {
   // The value of this path came from an option of the command line, by which messages name it.
   void set_by_option(const std::string& path, const std::string& option) { options_[path] = option; }
 
-  // Looks at the scene as it is now. What hangs on values that could not be read is left unsaid.
+  // Looks at the scene as it is now. What depends on values that could not be read is not judged.
   void judge();
 
   // Something else that is wrong: with a value, or with an option.

@@ -1,4 +1,4 @@
-// What is wrong with a scene file, told by the places of its values or by the options that have set them.
+// What is wrong with a scene file, with the places of its values or the options that have set them.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace furrow {
 SceneError::SceneError(std::vector<std::string> messages)
     : std::runtime_error(joined(messages, "\n")), messages_(std::move(messages)) {}
 
-// The option that set the value or one that the finding hangs on; empty if all of them stand in the file.
+// The option that set the value or one that the finding depends on; empty if all of them stand in the file.
 std::string SceneFile::option_of(const Finding& finding) const {
   const auto own = options_.find(finding.path);
   if (own != options_.end()) return own->second;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double touch = 1e-9;      // of a size: rounding of places that are meant to touch
 constexpr double node_depth = 0.1;  // of the contact radius
-constexpr int most_told = 5;        // faults of one kind
+constexpr int most_reported = 5;    // faults of one kind
 constexpr double most_pairs = 1e7;  // of border nodes of two lattices
 
 std::string metres(double length) { return rounded(length, 3) + " m"; }
@@ -53,9 +53,9 @@ class StartJudge {
   enum Kind { pair_of_discs, in_plate, in_lattice, on_border, node_in_plate, node_behind, one_place, kinds };
 
   void fault(Kind kind, const std::string& path, const std::string& message) {
-    const int told = ++told_[kind];
-    if (told <= most_told) found_.error(path, message);
-    if (told == most_told + 1) found_.error(path, "and more of this kind");
+    const int count = ++reported_[kind];
+    if (count <= most_reported) found_.error(path, message);
+    if (count == most_reported + 1) found_.error(path, "and more of this kind");
   }
 
   void overlap(double depth, double size, const std::string& between) {
@@ -100,7 +100,7 @@ class StartJudge {
     const Disc &a = scene_.disc[i], &b = scene_.disc[j];
     const double dx = a.position.x - b.position.x, dy = a.position.y - b.position.y;
     const double reach = a.radius + b.radius, smaller = std::min(a.radius, b.radius);
-    if (dx * dx + dy * dy >= reach * reach || (dx == 0 && dy == 0)) return;  // one place for both is told elsewhere
+    if (dx * dx + dy * dy >= reach * reach || (dx == 0 && dy == 0)) return;  // one place for both is reported elsewhere
     const double distance = std::sqrt(dx * dx + dy * dy), depth = reach - distance;
     if (depth > smaller * std::max(1.0, allow_.overlap.value_or(1)))
       fault(pair_of_discs, item("disc", j) + ".position",
@@ -109,7 +109,7 @@ class StartJudge {
       overlap(depth, smaller, item("disc", i) + " and " + item("disc", j));
   }
 
-  // Centres behind a wall are told by the judgement of the whole.
+  // Centres behind a wall are reported by validate.cpp.
   void judge_disc(std::size_t i) {
     const Disc& d = scene_.disc[i];
     const Vec2 p = d.position;
@@ -301,7 +301,7 @@ class StartJudge {
   Findings& found_;
   std::vector<std::unique_ptr<StandingLattice>> lattice_;
   std::vector<Vec2> normal_;  // of the walls, of length 1
-  std::array<int, kinds> told_{};
+  std::array<int, kinds> reported_{};
   long overlaps_ = 0;
   double deepest_ = 0;  // share of a radius
   std::string between_;

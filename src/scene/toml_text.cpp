@@ -42,8 +42,8 @@ class Guard {
   }
 
   void fault(const char* message) {  // one a line
-    if (!told_) fault_(here(), message);
-    told_ = true;
+    if (!reported_) fault_(here(), message);
+    reported_ = true;
   }
 
   void take_letter() {
@@ -61,7 +61,7 @@ class Guard {
     ++line_;
     start_ = safe_.text.size();
     dots_ = 0;
-    comment_ = told_ = false;
+    comment_ = reported_ = false;
     if (quote_.size() == 1) quote_ = {};
   }
 
@@ -96,7 +96,7 @@ class Guard {
   SafeText safe_{};
   std::string_view quote_{};  // what ends the string that we are in; empty outside strings
   TextPosition string_{};     // where it began
-  bool comment_ = false, told_ = false;
+  bool comment_ = false, reported_ = false;
   int dots_ = 0;
   std::uint32_t line_ = 1;
   std::size_t start_ = 0;  // of the line, in the safe text

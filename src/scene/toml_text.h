@@ -1,4 +1,4 @@
-// A scene file's text as toml++ 3.3 can bear it. That library mishandles some characters beyond ASCII, so none reaches
+// A scene file's text as toml++ 3.3 can read it. That library mishandles some characters beyond ASCII, so none reaches
 // it: in strings each is replaced by a tab, which no title or name may hold, and put back after parsing.
 #pragma once
 
@@ -19,11 +19,11 @@ struct SafeText {
   std::map<TextPosition, std::vector<std::string>> letters;  // what was replaced, by where its string begins
 };
 
-// Told is what cannot be borne: bytes that are not UTF-8, characters beyond ASCII outside strings and comments, and
+// Reports what cannot be taken: bytes that are not UTF-8, characters beyond ASCII outside strings and comments, and
 // keys of very many parts, since toml++ deletes nested tables by recursion.
 SafeText safe_text(std::string_view text, const std::function<void(TextPosition, const char*)>& fault);
 
-// The text of the string that begins there, as it stood in the file. False if that cannot be told.
+// The text of the string that begins there, as it stood in the file. False if that is not known.
 bool restore(const SafeText& safe, TextPosition begin, std::string& text);
 
 }  // namespace furrow

@@ -60,10 +60,10 @@ class Validator {
     for (std::size_t i = 0; i < items.size(); ++i) action(item(list, i), items[i]);
   }
 
-  // Each thing may be said once; `told` remembers where.
+  // Each thing may be said once; `said` remembers where.
   template <class Key>
-  void once(std::map<Key, std::string>& told, const Key& key, const std::string& path) {
-    const auto [first, fresh] = told.try_emplace(key, path);
+  void once(std::map<Key, std::string>& said, const Key& key, const std::string& path) {
+    const auto [first, fresh] = said.try_emplace(key, path);
     if (!fresh) fault(path, "the same as " + first->second, {first->second});
   }
 
@@ -87,14 +87,14 @@ class Validator {
 
   void check_contact() {
     not_both("contact", "damping_factor", scene_.contact.damping_factor, "restitution", scene_.contact.restitution);
-    std::map<std::vector<std::string>, std::string> told;
+    std::map<std::vector<std::string>, std::string> said;
     each("contact.pair", scene_.contact.pair, [&](const std::string& path, const ContactPair& pair) {
       not_both(path, "damping_factor", pair.damping_factor, "restitution", pair.restitution);
       std::vector<std::string> names = pair.materials;
       each(path + ".materials", names, [&](const std::string& one, auto& name) { check_material(one, name); });
       if (names.size() != 2) fault(path + ".materials", "must be two names, not " + std::to_string(names.size()));
       std::sort(names.begin(), names.end());
-      once(told, names, path + ".materials");
+      once(said, names, path + ".materials");
     });
   }
 
@@ -121,14 +121,14 @@ class Validator {
 
   template <class Part>
   void check_all(std::string_view list, const std::vector<Part>& parts) {
-    std::map<std::string, std::string> told;
+    std::map<std::string, std::string> said;
     each(list, parts, [&](const std::string& path, const Part& part) {
       if constexpr (requires { kind_of(part); }) {
         check_material(path + ".material", part.material);
         check_rigid(kind_of(part), part.material, path);
       }
       if constexpr (requires { part.name; })
-        if (!part.name.empty()) once(told, part.name, path + ".name");
+        if (!part.name.empty()) once(said, part.name, path + ".name");
       check(path, part);
     });
   }
@@ -192,19 +192,19 @@ class Validator {
               {path + ".rows", path + ".columns"});
     };
     const auto check_fixed = [&](const std::string& list, const std::vector<int>& lines, int count) {
-      std::map<int, std::string> told;
+      std::map<int, std::string> said;
       each(list, lines, [&](const std::string& where, int line) {
         check_index(where, line, count);
-        once(told, line, where);
+        once(said, line, where);
       });
     };
     check_fixed(path + ".fixed_rows", l.fixed_rows, l.rows);
     check_fixed(path + ".fixed_columns", l.fixed_columns, l.columns);
-    std::map<std::pair<int, int>, std::string> told;
+    std::map<std::pair<int, int>, std::string> said;
     each(path + ".node", l.node, [&](const std::string& where, const NodeSetting& node) {
       check_index(where + ".row", node.row, l.rows);
       check_index(where + ".column", node.column, l.columns);
-      once(told, std::pair(node.row, node.column), where);
+      once(said, std::pair(node.row, node.column), where);
       if (!has(l.fixed_rows, node.row) && !has(l.fixed_columns, node.column)) return;
       const std::vector<std::string> hangs_on{where + ".row", where + ".column", path + ".fixed_rows",
                                               path + ".fixed_columns"};
@@ -226,7 +226,7 @@ class Validator {
   const Scene& scene_;
   std::vector<std::string> materials_;
   std::map<std::pair<Kind, std::string>, std::string> rigid_;  // kind and rigid material -> first such part
-  std::set<std::pair<std::string, std::string>> rigid_pairs_;  // told of
+  std::set<std::pair<std::string, std::string>> rigid_pairs_;  // reported
   std::map<std::pair<double, double>, std::string> places_;    // of discs
   Findings& found_;
 };

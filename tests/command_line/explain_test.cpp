@@ -22,7 +22,7 @@ class Explain : public furrow::test::Program {
     return out();
   }
 
-  // All numbers behind the first line that begins with `part` and holds `word`.
+  // All numbers after the first line that begins with `part` and holds `word`.
   static std::vector<double> numbers(const std::string& text, const std::string& part, const std::string& word) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {

@@ -84,7 +84,7 @@ class Process {
     return code_of(status_);
   }
 
-  // It has said that it wants to be told of this signal.
+  // It has installed a handler for this signal.
   bool hears(int signal_number) const {
     const std::string status = text_of("/proc/" + std::to_string(pid_) + "/status");
     const std::size_t at = status.find("SigCgt:");

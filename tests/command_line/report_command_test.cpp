@@ -95,7 +95,7 @@ TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
   }
 }
 
-// As a copy that was broken off leaves them: behind a whole line, within one, without a picture.
+// As a copy that was broken off leaves them: after a whole line, within one, without a picture.
 TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
   ASSERT_EQ(furrow("report --scenes scenes --out page").code, 0) << err();
   const auto half = [](const std::string& text) { return text.substr(0, text.find('\n', text.size() / 2) + 1); };

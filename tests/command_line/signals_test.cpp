@@ -117,7 +117,7 @@ TEST_F(Signals, NothingThatHangsOutlivesTheProgram) {
     if (number == SIGTERM) {
       EXPECT_TRUE(comes_true([&] { return !is_alive(its_child); }));
     } else {
-      kill(static_cast<pid_t>(its_child), SIGKILL);  // of a grandchild nobody can be told any more
+      kill(static_cast<pid_t>(its_child), SIGKILL);  // nobody is notified of a grandchild any more
     }
   }
   EXPECT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << text("stderr.txt");

@@ -34,7 +34,7 @@ Scene bouncing(Scene scene) {
   return scene;
 }
 
-// A bed of two packings, one through the other, just large enough for two chunks.
+// A bed of two packings, one through the other, just large enough for two blocks.
 Scene wide(Scene scene) {
   scene.settle.reset();
   scene.plate.clear();

@@ -1,8 +1,12 @@
 // What the work-precision study rests on: references that closed forms bear out, and counts that repeat to the digit.
 //
-//   spring   x(t) = x0 e^(-zeta w t) (cos(wd t) + zeta w/wd sin(wd t)),  w = 10 rad/s, zeta = 0.05, wd = w sqrt(1 -
-//   zeta^2) impact   leaves as fast as it came, t_c after the touch at t_0:  y(t) = R + v (t - t_0 - t_c)
-//            t_c = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) d_max/v,  d_max = (5 m v^2/(4 K))^(2/5),  K = 4/3 E* sqrt(R)
+//   spring  x(t) = x0 e^(-zeta w t) (cos(wd t) + zeta w/wd sin(wd t)),  w = 10 rad/s,  zeta = 0.05
+//           wd = w sqrt(1 - zeta^2)
+//   impact  leaves as fast as it came, t_c after the touch at t_0:
+//           y(t) = R + v (t - t_0 - t_c)
+//           t_c = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) d_max/v
+//           d_max = (5 m v^2/(4 K))^(2/5)
+//           K = 4/3 E* sqrt(R)
 //
 // Sources: the damped oscillator; Hertz 1882. The scenes are those of the study, benchmarks/studies/cases.cpp.
 #include <algorithm>

@@ -124,15 +124,15 @@ TEST(AdamsForms, StayOfSecondOrderWithUnequalSteps) {
 // A sliding contact touches its spring after every step. The history is kept, or each step would be Heun's.
 TEST(AdamsForms, KeepTheirHistoryWhenOnlyTheStateWasTouched) {
   for (const char* form : {"pec", "pece", "pecece", "ab2"}) {
-    const auto told = make_method(form);
+    const auto notified = make_method(form);
     const auto untold = make_method(form);
     const Linear system({-0.1, 1});
     State one{0, 0, 1, 0};
     State other = one;
     for (int n = 0; n < 10; ++n) {
-      told->step(system, n * 0.1, one, 0.1);
+      notified->step(system, n * 0.1, one, 0.1);
       untold->step(system, n * 0.1, other, 0.1);
-      told->state_changed();
+      notified->state_changed();
     }
     EXPECT_EQ(one, other) << form;
   }

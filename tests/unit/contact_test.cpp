@@ -12,9 +12,13 @@ namespace {
 constexpr double round_off = 1e-14;
 void expect_close(double got, double want) { EXPECT_NEAR(got, want, round_off * std::fabs(want)); }
 
-// E* = 133333.3 Pa, G* = 40000 Pa, beta = 20. With R* = 0.04 m and d = 1e-4 m: sqrt(R* d) = 2e-3 m,
-// Sn = 1600/3 N/m, St = 640 N/m, Fe = 2/3 Sn d = 0.32/9 N; with m* = 0.03 kg: sqrt(Sn m*) = 4, sqrt(St m*) =
-// sqrt(19.2).
+// E* = 133333.3 Pa, G* = 40000 Pa, beta = 20. With R* = 0.04 m, d = 1e-4 m and m* = 0.03 kg:
+//   sqrt(R* d)  = 2e-3 m
+//   Sn          = 1600/3 N/m
+//   St          = 640 N/m
+//   Fe          = 2/3 Sn d = 0.32/9 N
+//   sqrt(Sn m*) = 4 kg/s
+//   sqrt(St m*) = sqrt(19.2) kg/s
 constexpr Elastic paper{.young = 2e5, .poisson = -0.5, .rigid = false};
 constexpr Elastic rigid{.young = 0, .poisson = 0, .rigid = true};
 constexpr double elastic = 0.32 / 9;                // N

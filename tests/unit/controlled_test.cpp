@@ -1,5 +1,5 @@
 // Furrow's own methods with error control: what each step is, checked against formulas written out here, and the
-// manners that all of them must have.
+// properties that all of them must have.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -242,7 +242,7 @@ TEST(RungeKuttaChebyshev, IsOfSecondOrderAlsoInTime) {
   EXPECT_NEAR(std::log2(error(20) / error(80)) / 2, 2, 0.1);
 }
 
-// The stiffness jumps up by a thousand: the kept estimate is too low, the error says so, and the step is made anew.
+// The stiffness jumps up by a thousand: the kept estimate is too low, the error says so, and the step is made again.
 struct Stiffening final : OdeSystem {
   std::size_t size() const override { return 3; }
   std::size_t positions() const override { return 1; }

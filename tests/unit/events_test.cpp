@@ -43,7 +43,7 @@ double distance(const State& a, const State& b) {
 }
 
 // Slope of the root mean square error over 32 jittered steps each around end/coarse and end/(8 coarse): with equal
-// steps the remainder in front of the event would be the same for all.
+// steps the remainder before the event would be the same for all.
 double order(const Scene& scene, const std::string& name, bool events, double coarse, const State& want) {
   std::mt19937_64 random(5);
   const auto error = [&](double steps) {
@@ -87,7 +87,7 @@ TEST(Events, ATearIsReportedWhenItHappens) {
   ASSERT_EQ(w.torn.size(), 1u);
   EXPECT_EQ(w.end.events, 1);
   EXPECT_EQ(w.end.steps, 150);  // those of the grid
-  // The step lands 1e-9 of its length behind the event; rk4's own error in x is some (h w)^5/120 of x a step.
+  // The step lands 1e-9 of its length after the event; rk4's own error in x is some (h w)^5/120 of x a step.
   EXPECT_NEAR(w.torn[0].time, tear_time(), 2e-9);
   EXPECT_GT(w.torn[0].time, tear_time() - 1e-9);
 }

@@ -1,4 +1,4 @@
-// The steps behind a located touch, one by one: t = t_touch + T s^q with s uniform.
+// The steps after a located touch, one by one: t = t_touch + T s^q with s uniform.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,7 +59,7 @@ double scale(double beta, double speed) {
 
 void expect_graded(double damping, double step, double speed = 1.3) {
   const std::vector<WritesDown::Step> steps = steps_of_a_fall(damping, step, speed);
-  // The step that ends least far behind the touch.
+  // The step that ends soonest after the touch.
   std::size_t touch = 0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     if (steps[k].height < radius && (touch == 0 || steps[k].t + steps[k].h < steps[touch].t + steps[touch].h))

@@ -1,5 +1,5 @@
 // Each channel of the energy ledger alone, as a power of one contact or link by its closed form, and as what a jump
-// books between two steps.
+// enters between two steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -199,7 +199,7 @@ TEST(Ledger, DiscsExactlyAtTouchThatSpinAndPassHaveNoForceAndNoPower) {
   EXPECT_EQ(observe(system, 0, y).energy.contact_elastic, 0);
 }
 
-// 3,000 pairs of discs in a row of pairs: more discs than one chunk holds, and each pair with its own speed.
+// 3,000 pairs of discs in a row of pairs: more discs than one block holds, and each pair with its own speed.
 class ManyPairs : public testing::Test {
  protected:
   static constexpr int pairs = 3000;

@@ -1,4 +1,4 @@
-// Boost.Odeint's controlled steppers behind their adapter: order, tolerance, and what they do when no step is good.
+// Boost.Odeint's controlled steppers in their adapter: order, tolerance, and what they do when no step is good.
 #include <gtest/gtest.h>
 
 #include <cmath>

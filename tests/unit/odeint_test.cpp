@@ -1,4 +1,4 @@
-// Boost.Odeint behind its adapters: the same as the own methods where it is the same scheme; its traps.
+// Boost.Odeint in its adapters: the same as the own methods where it is the same scheme; its traps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST(OdeintRk4, IsTheOwnRk4ToRoundOff) {
   }
 }
 
-// The paper's scheme in another hand. Its first step is one of rk4, pece's is Heun's: they differ by h^3/6 x''' at once
+// The paper's scheme as Boost has it. Its first step is one of rk4, pece's is Heun's: they differ by h^3/6 x''' at once
 // and by nothing else, and the decaying oscillator does not let that grow.
 double difference_from_abm2(double h) {
   const Oscillator system(2, 0.1);
@@ -111,7 +111,7 @@ struct Pendulums final : OdeSystem {
   std::size_t n;
 };
 
-// The steppers' rooms never grow by themselves: a larger state ran over their ends.
+// The steppers' buffers never grow by themselves: a larger state ran over their ends.
 TEST(Odeint, TakesSystemsOfAnySizeOneAfterTheOther) {
   for (const MethodInfo& info : method_catalogue()) {
     const auto used = make_method(info.name, tolerances_of(1e-3, 0.01));

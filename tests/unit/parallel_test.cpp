@@ -40,8 +40,8 @@ TEST(Parallel, RangesCoverAllOnce) {
   }
 }
 
-// Rows of discs that overlap a little and move at random, numbered so that neighbours lie far apart: `order` gives the
-// number of the disc at each place.
+// Rows of discs that overlap a little and move at random; neighbours have distant numbers: `order` gives the number of
+// the disc at each place.
 Scene large_bed(const std::vector<int>& order, int first_place = 0, int places = -1) {
   Scene scene = empty_scene();
   scene.model.gravity = 9.81;
@@ -101,7 +101,7 @@ TEST(Threads, AreNotUsedForASmallBed) {
   EXPECT_EQ(System(scene).threads(), 1);
 }
 
-// The forces on the lower rows are those of a bed small enough for one chunk, but for the order of their sums: some ten
+// The forces on the lower rows are those of a bed small enough for one block, but for the order of their sums: some ten
 // terms, each rounded by at most 1.1e-16 of the largest.
 TEST(Threads, ManyChunksGiveTheForcesOfOne) {
   const std::vector<int> order = shuffled(2 * discs_per_block);

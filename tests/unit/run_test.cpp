@@ -188,8 +188,8 @@ class Listener final : public Method {
   int restarts = 0, changes = 0;
 };
 
-// A jump computes the rates where the next step starts, and a method that is told them must go the same way as one that
-// computes them itself. Discs that slide and roll over a lattice that tears.
+// A jump computes the rates where the next step starts, and a method that is given them must go the same way as one
+// that computes them itself. Discs that slide and roll over a lattice that tears.
 TEST(Run, RatesHandedOverByAJumpAreThoseThatTheMethodWouldCompute) {
   Scene scene = busy_scene(20);
   for (LinkKind* kind : {&scene.lattice[0].structural, &scene.lattice[0].shear}) kind->strength = 0.05;
@@ -200,8 +200,8 @@ TEST(Run, RatesHandedOverByAJumpAreThoseThatTheMethodWouldCompute) {
     System system(scene);
     if (info.controlled || info.dense_jacobian || !refusal(info, system).empty()) continue;
     ++methods;
-    const auto told = make_method(info.name), alone = make_method(info.name);
-    const Ran r = run_through(scene, *told, plan_of(steps * h, h));
+    const auto given = make_method(info.name), alone = make_method(info.name);
+    const Ran r = run_through(scene, *given, plan_of(steps * h, h));
     State y = system.initial_state();
     system.jump(0, y);
     int tears = 0, returns = 0;
@@ -220,7 +220,7 @@ TEST(Run, RatesHandedOverByAJumpAreThoseThatTheMethodWouldCompute) {
     EXPECT_GT(returns, 10) << info.name;
     EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
     EXPECT_EQ(r.y, y) << info.name;
-    EXPECT_EQ(told->evaluations(), alone->evaluations()) << info.name;
+    EXPECT_EQ(given->evaluations(), alone->evaluations()) << info.name;
   }
   EXPECT_GT(methods, 15);
 }

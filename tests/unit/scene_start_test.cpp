@@ -34,9 +34,9 @@ Plate plate(double left, double lower, double width = 0.5, double height = 0.5) 
 }
 
 TEST(SceneStart, FindsNothingAmongPartsThatStandApartOrTouch) {
-  const auto apart = [](Scene& s) { s.disc.push_back(disc(-1.8, 1)), s.disc.push_back(disc(-2, 0.1)); };
-  EXPECT_EQ(problems(apart), Lines{});
-  EXPECT_EQ(warnings(apart), Lines{});
+  const auto separate = [](Scene& s) { s.disc.push_back(disc(-1.8, 1)), s.disc.push_back(disc(-2, 0.1)); };
+  EXPECT_EQ(problems(separate), Lines{});
+  EXPECT_EQ(warnings(separate), Lines{});
 }
 
 TEST(SceneStart, RefusesDiscsDeeperInEachOtherThanTheSmallerRadius) {

@@ -1,4 +1,4 @@
-// What is wrong with a scene as a whole is found, and told by its place.
+// What is wrong with a scene as a whole is found, and reported with its place.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

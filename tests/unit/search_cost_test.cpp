@@ -268,7 +268,7 @@ TEST(SearchCost, OfNodesIsThatOfTheirRowsAndOfThoseNearAWall) {
   EXPECT_LT(looks(heap), many + 10);  // of 909,000 pairs
 }
 
-// How often lists are made anew, while a bed trembles.
+// How often lists are made again, while a bed trembles.
 long renewals(const Heap& heap, int bed) {
   Heap moving = heap;
   NeighbourSearch search(moving.parts, {});

@@ -1,4 +1,4 @@
-// Snapshots made by hand: few discs and links, numbers that can be added up in the head.
+// Snapshots made by hand: few discs and links, numbers that can be added up by hand.
 #include "validation/page/snapshot_observables.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Figures by gnuplot: a script of validation/figures behind the settings and data of one figure.
+// Figures by gnuplot: a script of validation/figures after the settings and data of one figure.
 #pragma once
 
 #include <map>

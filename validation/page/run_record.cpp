@@ -204,7 +204,7 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
 
 std::string broken_off(const RunRecord& run) {
   const Scene& scene = run.scene;
-  const double last = scene.time.end - 1.5 * scene.output.interval - scene.time.step;  // s: a row is due behind it
+  const double last = scene.time.end - 1.5 * scene.output.interval - scene.time.step;  // s: a row is due after it
   const auto ends_at = [](const std::string& file, double t) { return file + " ends at t = " + number(t) + " s"; };
   if (!scene.plate.empty()) {
     const double t = plate_speed(run) > 0 ? run.force.end() / plate_speed(run) : scene.time.end;

@@ -31,8 +31,8 @@ std::string ending(const RunRecord& run) {
                        " s of " + end + ". Reason: " + fact_shown(run, "reason"),
                    "failed");
   }
-  if (const Fact* told = run.fact("warnings")) {
-    for (const std::string& text : told->texts) warnings += element("p", "Warning: " + typeset(escaped(text)) + ".");
+  if (const Fact* fact = run.fact("warnings")) {
+    for (const std::string& text : fact->texts) warnings += element("p", "Warning: " + typeset(escaped(text)) + ".");
   }
   return html + (warnings.empty() ? "" : element("div", warnings, "warnings"));
 }
@@ -140,12 +140,12 @@ class SceneSection {
       const Measured ours = measure(run_, s.observable, s.window);
       const double difference = ours.value - s.value;
       const std::string sign = difference > 0 ? "+" : "";
-      std::string said = escaped(s.words), apart;
+      std::string said = escaped(s.words), difference_cell;
       if (s.words.empty()) {
         said = s.relation + (s.relation.empty() ? "" : " ") + number(s.value) + " " + s.unit;
-        if (ours.words.empty()) apart = sign + with_unit(difference, s.unit);
+        if (ours.words.empty()) difference_cell = sign + with_unit(difference, s.unit);
         if (std::isfinite(difference) && s.value != 0 && s.unit != "mm") {
-          apart += element("small", sign + shown(100 * difference / s.value) + " %");
+          difference_cell += element("small", sign + shown(100 * difference / s.value) + " %");
         }
       }
       std::string got = ours.words.empty() ? with_unit(ours.value, s.unit) : escaped(ours.words);
@@ -153,7 +153,7 @@ class SceneSection {
       rows += element("tr", element("td", escaped(s.quantity) + element("small", "ours: " + escaped(s.ours))) +
                                 element("td", said + element("small", escaped(s.where)), "words") +
                                 element("td", got, ours.words.empty() ? "number" : "words") +
-                                element("td", apart, "number"));
+                                element("td", difference_cell, "number"));
     }
     return rows;
   }

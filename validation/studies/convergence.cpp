@@ -1,6 +1,6 @@
 // Which of the numbers that the paper reports are those of its model, and which those of its time step? Each scene runs
 // from the same settled bed by several methods at steps down to a fiftieth of the paper's. Scenes 2 and 3 are chaotic:
-// how far a number moves when the start is nudged by far less than any step's error tells what no step can settle.
+// how far a number moves when the start is changed by far less than any step's error shows what no step can settle.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -212,7 +212,7 @@ std::string in_plain_words(const std::string& reading, const Tally& tally) {
                                          : count(tally.settled) + " of " + count(tally.numbers) + " numbers settle";
   text += " when the step is made fine enough, and so are the model's; at the paper's step " +
           count(tally.at_papers_step) + " are settled, the other " + count(tally.numbers - tally.at_papers_step) +
-          " are there the step's.";
+          " depend on the step.";
   return text;
 }
 
@@ -246,7 +246,7 @@ Json convergence(const Settings& settings) {
       "Each scene runs from one and the same start at steps from twice the paper's to a fiftieth of it, and by other "
       "methods. A number stands if it no longer changes when the step is made finer, by more than 2 % or than "
       "what a nudge of 1e-9 m/s to one body at the start does to it.");
-  Report details("", "");  // behind the figure
+  Report details("", "");  // of the figure
   Json blocks = Json::object();
   Tally all;
   std::map<std::string, Tally> by_reading;

@@ -1,4 +1,4 @@
-// A regression test on few packings: does a bed that was packed anew still behave like the ensemble? For changes that
+// A regression test on few packings: does a bed that was packed again still behave like the ensemble? For changes that
 // move bits on purpose, so that the golden outputs cannot judge them.
 #pragma once
 
@@ -31,7 +31,7 @@ inline constexpr int changed_members = 8;
 Json run_changed(const Change& change, int member);
 
 // How often `few` of the members that came to their end, drawn at random (seeded, without replacement), look strange; 1
-// if there are fewer. A member that does not come to its end is no matter of chance: it is told apart.
+// if there are fewer. A member that does not come to its end is no matter of chance: it is counted separately.
 double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws);
 
 // Runs a few packings that are not in the ensemble and compares them with its result in settings.directory, a line an

@@ -89,13 +89,13 @@ Extent extent_of(const Which& which, bool quick) {
 Json run_of(const Which& which, Extent extent) {
   Scene scene = paper_scene(which.scene, which.reading, 1);
   scene.output.energy = true;
-  Scene told = scene;  // what a scene allows itself moves no bit
-  told.allow.reset();
+  Scene compared = scene;  // what a scene allows itself moves no bit
+  compared.allow.reset();
   Json golden{{"golden", golden_format},
               {"scene", which.scene},
               {"reading", to_string(which.reading)},
               {"end", scene.time.end},
-              {"scene_text", canonical_text(told)}};
+              {"scene_text", canonical_text(compared)}};
   Prepared prepared = prepare(scene);
   System& system = prepared.system;
   Recorder recorder(system);

@@ -115,9 +115,10 @@ std::string conclusion(const Variation& v, const std::vector<Estimate>& force) {
   std::string text = v.what + ": ";
   if (ran.size() > 1) {
     const Estimate &first = force[ran.front()], &last = force[ran.back()];
-    const bool apart = std::fabs(first.mean - last.mean) > std::hypot(first.half, last.half);
-    text += std::string("the mean force ") + (apart ? "goes from " : "does not change by more than the packings do: ") +
-            at(ran.front()) + (apart ? " to " : ", ") + at(ran.back()) + ".";
+    const bool differs = std::fabs(first.mean - last.mean) > std::hypot(first.half, last.half);
+    text += std::string("the mean force ") +
+            (differs ? "goes from " : "does not change by more than the packings do: ") + at(ran.front()) +
+            (differs ? " to " : ", ") + at(ran.back()) + ".";
   }
   return text + (failed.empty() ? "" : " No packing runs to its end at " + failed + " " + v.unit + ".");
 }

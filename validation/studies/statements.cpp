@@ -262,7 +262,8 @@ void try_gaps(Report& report, const Settings& settings) {
   report.heading("Gaps and misprints, tried both ways");
   report.text(
       "Where the paper is silent, contradicts itself or misprints, a key of the scene file takes the other reading; "
-      "one packing. The sign printed in Eq. (1) cannot be run, it flies apart: that is shown by a page of the "
+      "one packing. The sign printed in Eq. (1) cannot be run, the lattice flies to pieces: that is shown by a page of "
+      "the "
       "verification, RigidMotion. All decisions, with their reasons, stand in validation/decisions.md.");
   report.table("", {"point", "furrow's reading", "the other", "key", "scene", "number", "as read", "otherwise"}, rows);
 }

@@ -8,8 +8,8 @@
 //   WORK       directory for the copies, the verdicts and the result, faults.json. Verdicts that WORK holds already are
 //              not tried again, so a study that was stopped goes on, and only what has changed is run
 //   --quick    only the faults marked quick, and no constants, on the pages that these faults name
-//   --into     take the verdicts into an earlier report, whose others stay; each tells the commit that it was tried on
-//   --rebuild  compile the pages anew for each fault, as those marked `rebuild` are anyway: the slow way to the same
+//   --into     take the verdicts into an earlier report, whose others stay; each names the commit that it was tried on
+//   --rebuild  compile the pages again for each fault, as those marked `rebuild` are: slower, with the same result
 // Exit codes: 0 every fault was noticed; 1 some were not, or one could not be applied or built; 4 a file cannot be
 // read.
 #include <algorithm>

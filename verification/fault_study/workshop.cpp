@@ -37,7 +37,7 @@ bool can_start(const std::string& program) try {
   return false;
 }
 
-// Only what differs is written, so that nothing else is built anew.
+// Only what differs is written, so that nothing else is built again.
 void write(const fs::path& file, const std::string& text) {
   if (!fs::exists(file) || text_of(file) != text) write_all(file, text, std::ios::trunc);
 }

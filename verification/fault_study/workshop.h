@@ -37,7 +37,7 @@ std::vector<Page> pages_of(const Places& places, const std::set<std::string>& me
                            const std::set<std::string>& costly);
 
 // One copy of the tree with one build directory, in which changes are tried one after the other. Verdicts are kept in
-// places.verdicts() under what they hang on: the source but for its comments, the page's object and the scenes.
+// places.verdicts() under what they depend on: the source but for its comments, the page's object and the scenes.
 class Workshop {
  public:
   Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild);
@@ -58,7 +58,7 @@ class Workshop {
   std::filesystem::path home_;
   std::string target_;
   std::string changed_;  // file
-  std::string source_;   // what all verdicts on the change hang on
+  std::string source_;   // what all verdicts on the change depend on
   bool configured_ = false, built_ = false;
   unsigned jobs_;
 };

@@ -27,8 +27,9 @@ struct LinearSystem {
 
 // One step of a scheme; memory[0] is y, the others are what the scheme remembers (times of h f).
 struct Scheme {
-  int blocks = 1;             // of memory
-  bool by_eigenvalue = true;  // each eigenvalue of h J alone decides; false: positions and velocities are told apart
+  int blocks = 1;  // of memory
+  bool by_eigenvalue =
+      true;  // each eigenvalue of h J alone decides; false: positions and velocities are treated differently
   std::function<void(const LinearSystem&, std::vector<Matrix>& memory)> step;
   bool conservative = false;  // takes no force that depends on velocity
   std::string family{};       // equal for methods that are the same scheme

@@ -1,9 +1,9 @@
 // A body that runs into a wall, head-on, d its overlap and d(0) = 0, d'(0) = v at the touch:
 //
-//   linear    d'' = -2 zeta w d' - w^2 d            d = v/wd e^(-zeta w t) sin wd t, free again at wd t = pi
-//   Hertz     d'' = -K/m d^(3/2) - g d^(1/4) d'     closed form in damped_hertz.h, for any damping
+//   linear  d'' = -2 zeta w d' - w^2 d,  of which  d = v/wd e^(-zeta w t) sin wd t, free again at wd t = pi
+//   Hertz   d'' = -K/m d^(3/2) - g d^(1/4) d',  closed form in damped_hertz.h, for any damping
 //
-// The force behind the touch starts like t (linear), like a jump (with dashpot), like t^(3/2) (Hertz) and like t^(1/4)
+// The force after the touch starts like t (linear), like a jump (with dashpot), like t^(3/2) (Hertz) and like t^(1/4)
 // (Hertz with damping). The solver knows Hertz contacts only: the linear ones are systems of this file.
 #include <cmath>
 #include <numbers>

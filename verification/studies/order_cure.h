@@ -2,7 +2,7 @@
 //
 //   t - t0 = T (n/N)^g
 //
-// The force behind the touch goes as (t - t0)^a. Located (g = 1) the step after it still errs by h^(a + 1) if a is no
+// The force after the touch goes as (t - t0)^a. Located (g = 1) the step after it still errs by h^(a + 1) if a is no
 // whole number; graded steps make that N^(-g (a + 1)): order min(p, g (a + 1)) in 1/N. A jump or a kink (a = 0, 1) is
 // smooth once the step ends at it: order p for any g.
 #pragma once

@@ -55,9 +55,9 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
       const bool holds = of_velocity ? v.velocity_holds : v.position_holds;
       ++count;
       held += holds ? 1 : 0;
-      const bool told = slope.points >= 4;
+      const bool known = slope.points >= 4;
       cells.push_back(
-          {x, y, told ? rounded_to_6(slope.value) : 0, holds ? 0 : 1, told ? in_short(slope) : std::string("none")});
+          {x, y, known ? rounded_to_6(slope.value) : 0, holds ? 0 : 1, known ? in_short(slope) : std::string("none")});
       const double least = of_velocity ? v.predicted->velocity : v.predicted->position;
       const double room = v.predicted->most - v.predicted->position;
       const bool open = of_velocity && v.predicted->at_least;

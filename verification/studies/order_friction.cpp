@@ -1,11 +1,17 @@
-// Coulomb's limit: a disc on the floor, of slip speed s = vx + w R, kappa = 3 (a disc's 1 + m R^2/I), lever R.
+// Coulomb's limit: a disc on the floor, of slip speed s = vx + w R, kappa = 3 (a disc's 1 + m R^2/I), moment arm R.
 //
-//   sliding    an elastic Hertz impact so oblique that all of it slides: u = v - d' is the normal impulse over m, and
-//              vx = vx0 - mu u,  w = w0 - 2 mu u/R,  x = x0 + vx0 t - mu (v t - d)
-//   stick-slip set down under gravity with its overlap at rest, N = m g: sticks (xi'' = -W^2 xi, W^2 = kappa St/m,
-//              xi(0) = 0), slips from xi = mu N/St on (s' = -kappa mu g) until s = 0, then sticks again,
-//              xi = mu N/St cos W t
-//   sticking   an elastic Hertz impact, mu so great that none of it slips: s' = -kappa/m St(d) xi, xi' = s
+//   sliding     an elastic Hertz impact so oblique that all of it slides; u = v - d' is the normal impulse over m:
+//               vx = vx0 - mu u
+//               w  = w0 - 2 mu u/R
+//               x  = x0 + vx0 t - mu (v t - d)
+//   stick-slip  set down under gravity with its overlap at rest, N = m g: sticks from xi(0) = 0, slips from
+//               xi = mu N/St until s = 0, then sticks again:
+//               xi'' = -W^2 xi,  W^2 = kappa St/m
+//               s'   = -kappa mu g
+//               xi   = mu N/St cos W t
+//   sticking    an elastic Hertz impact, mu so great that none of it slips:
+//               s'  = -kappa/m St(d) xi
+//               xi' = s
 //
 // In the last the spring's rate jumps at touch from 0 to the slip speed, which costs all methods the first order.
 // Source: algebra; for sticking integrated in long double over a clock that takes the powers off both ends.

@@ -36,13 +36,13 @@ struct Point {
 struct Slope {
   double value = 0, error = 0;
   double next = 0;
-  int points = 0;   // fewer than 4: no order can be told
+  int points = 0;   // fewer than 4: no order can be given
   double step = 0;  // s, mean of the points
 };
 
 // How far an observed order may be from the predicted one: three standard errors, by Student's t of the fit's few
 // degrees of freedom; what the next power of the step does, and as much again for the powers after it, each half of the
-// one before or less. Below 0.05, a fifth of what the closest orders to be told apart, 1 and 5/4, differ by, nothing
+// one before or less. Below 0.05, a fifth of the difference of the two closest orders, 1 and 5/4, nothing
 // counts.
 double tolerance_of(const Slope& slope);
 

@@ -20,13 +20,13 @@ namespace furrow::verification {
 struct Prediction {
   double position = 0;
   double velocity = 0;
-  // If p is little above the limit (problem.indistinct), the two powers of h cannot be told apart at steps that can be
+  // If p is little above the limit (problem.indistinct), the two powers of h cannot be separated at steps that can be
   // afforded: from the limit to p.
   double most = 0;
   bool at_least = false;  // the velocity's is a lower bound: the next power may have the larger factor
 };
 
-// Nothing for a controlled method (see predicted_exponents) and one that cannot carry the problem.
+// Nothing for a controlled method (see predicted_exponents) and one that cannot integrate the problem.
 std::optional<Prediction> predicted(const MethodInfo& method, const Problem& problem);
 
 // A controlled method's error goes like tolerance^s. On a smooth force the local error, as h^q, is held at the
@@ -45,7 +45,7 @@ Exponents predicted_exponents(const MethodInfo& method, const Problem& problem);
 
 // Slopes of one method on one problem against their predictions. `gate`: how far one may be off, which is
 // tolerance_of(slope), and on a smooth force what the predictor of an Adams method does to the slope; but no more than
-// half of what the order would fall by with a method of one order less, and half an order where that is hidden behind
+// half of what the order would fall by with a method of one order less, and half an order where that is hidden by
 // the event. A wider one would certify nothing.
 struct Verdict {
   Slope position, velocity;
@@ -55,7 +55,7 @@ struct Verdict {
 };
 Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vector<Point>& points);
 
-// Whether the method can carry the problem at all.
+// Whether the method can integrate the problem at all.
 bool applies(const MethodInfo& method, const Problem& problem);
 
 }  // namespace furrow::verification

@@ -1,6 +1,6 @@
-// The motions on which the order of a method is observed: one for each kind of force, each with a solution known apart
-// from the solver. Where the force behind an event (touch, release, slip, tear) starts like (t - t0)^a, and the event
-// falls anywhere within a step, a method of order p shows at most the order min(p, a + 1).
+// The motions on which the order of a method is observed: one for each kind of force, each with a solution that needs
+// no solver. Where the force after an event (touch, release, slip, tear) starts like (t - t0)^a, and the event falls
+// anywhere within a step, a method of order p shows at most the order min(p, a + 1).
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Integration in long double, apart from the solver, for motions without closed form.
+// Integration in long double, without the solver, for motions without closed form.
 #pragma once
 
 #include <functional>

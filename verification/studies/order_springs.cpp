@@ -1,8 +1,8 @@
 // Smooth motions, and one that ends smoothness: a mass on a spring, with and without damper; a lattice that swings in
 // the plane, nonlinear because its links turn; a spring that tears.
 //
-//   x'' = -2 zeta w x' - w^2 x,  x(0) = x0, x'(0) = v0:
-//     x = e^(-zeta w t) (x0 cos wd t + (v0 + zeta w x0)/wd sin wd t),  wd = w sqrt(1 - zeta^2)
+//   x'' = -2 zeta w x' - w^2 x,  x(0) = x0, x'(0) = v0
+//   x = e^(-zeta w t) (x0 cos wd t + (v0 + zeta w x0)/wd sin wd t),  wd = w sqrt(1 - zeta^2)
 //   tear: x = v0/w sin wt until k x = S, from there on x' stays as it is
 //
 // Source: algebra. The lattice is integrated here, in long double, by extrapolation (order_reference.h).

@@ -1,4 +1,4 @@
-// What else tells methods apart: evaluations a step, the way back, and the energy of an undamped oscillator.
+// How else methods differ: evaluations a step, the way back, and the energy of an undamped oscillator.
 #pragma once
 
 #include <optional>

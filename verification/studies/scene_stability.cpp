@@ -220,7 +220,7 @@ double measured_step(const Standing& s, const std::string& method, double guess)
   return by_bisection([&](double h) { return frozen_grows(s, method, h); }, guess);
 }
 
-Books run_on(const Standing& s, const std::string& method, double h, int steps) {
+EnergyBalance run_on(const Standing& s, const std::string& method, double h, int steps) {
   System system = s.system;
   State y = s.y;
   const Energies start = observe(system, s.t, y).energy;
@@ -233,7 +233,7 @@ Books run_on(const Standing& s, const std::string& method, double h, int steps) 
           std::fabs(now.plate_work - start.plate_work) + std::fabs(now.lost() - start.lost()), now.supplied(start)};
 }
 
-double Books::made() const { return supplied > 0 ? residual / supplied : NAN; }
+double EnergyBalance::made() const { return supplied > 0 ? residual / supplied : NAN; }
 
 bool has_stable_step(const Standing& s, const MethodInfo& method) {
   return !method.controlled && !method.dense_jacobian && scheme_of(method.name) && refusal(method, s.system).empty();

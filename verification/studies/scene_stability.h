@@ -53,7 +53,7 @@ double measured_step(const Standing& s, const std::string& method, double guess)
 
 // What becomes of the scene as it runs, with all jumps, for `steps` steps of h from here. Friction and clipping bound
 // what grows: such a run does not diverge but chatters, and the energy that the method makes or loses shows it.
-struct Books {
+struct EnergyBalance {
   std::string diverged;  // why, or empty
   double residual = 0;   // J
   double handled = 0;    // J, work of the plates and losses, without sign
@@ -62,9 +62,9 @@ struct Books {
   double made() const;
   double share() const { return handled > 0 ? std::fabs(residual) / handled : 0; }
 };
-Books run_on(const Standing& s, const std::string& method, double h, int steps = 200);
+EnergyBalance run_on(const Standing& s, const std::string& method, double h, int steps = 200);
 
-// Whether `method` can carry the scene by fixed steps, and its theory is known.
+// Whether `method` can run the scene by fixed steps, and its theory is known.
 bool has_stable_step(const Standing& s, const MethodInfo& method);
 
 // Predicted and measured.

@@ -57,7 +57,7 @@ Json measured(const Chosen& c) {
   Json values = Json::array();
   for (const std::complex<double>& v : s.values)
     if (v.imag() >= 0) values.push_back({rounded(v.real()), rounded(v.imag())});
-  const Books books = run_on(s, scene.time.method, scene.time.step);
+  const EnergyBalance balance = run_on(s, scene.time.method, scene.time.step);
   const Oscillator part = stiffest_part(s.system, s.t, s.y).oscillator;
   const std::string driver = s.driver.name + " (" + s.driver.how + ", " +
                              std::to_string(std::lround(100 * s.driver.share)) + " % of the power)";
@@ -68,9 +68,9 @@ Json measured(const Chosen& c) {
           {"own_growth", rounded(s.own_growth)},
           {"values", values},
           {"steps", steps},
-          {"diverged", books.diverged},
-          {"residual", books.residual},
-          {"handled", books.handled},
+          {"diverged", balance.diverged},
+          {"residual", balance.residual},
+          {"handled", balance.handled},
           {"point", {part.zeta, part.omega * scene.time.step}}};
 }
 
@@ -81,7 +81,7 @@ StandingScene read(const Chosen& c, const Json& json) {
   s.own_growth = json["own_growth"];
   for (const Json& v : json["values"]) s.values.emplace_back(v[0].get<double>(), v[1].get<double>());
   for (const Json& v : json["steps"]) s.steps.push_back({v[0], v[1], v[2]});
-  s.books = {json["diverged"], json["residual"], json["handled"]};
+  s.balance = {json["diverged"], json["residual"], json["handled"]};
   s.point = {json["point"][0], json["point"][1], c.name};
   return s;
 }
@@ -169,7 +169,7 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes) {
                         with_digits(s.fastest.real(), 4) +
                             (s.fastest.imag() != 0 ? " ± " + with_digits(std::fabs(s.fastest.imag()), 4) + " i" : ""),
                         s.driver, s.own_step, s.own_step / paper.measured,
-                        s.books.diverged.empty() ? Json(s.books.share()) : Json("diverged")});
+                        s.balance.diverged.empty() ? Json(s.balance.share()) : Json("diverged")});
     if (s.own_growth > 0)
       moving +=
           " " + s.name + " does not rest: small changes grow by themselves by " + with_digits(s.own_growth, 2) +
@@ -221,7 +221,7 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes) {
     if (s.name.find("scene 2") != 0) continue;
     const double ratio = s.own_step / step_of(s, "pece")->measured;
     report.claim(s.name + ": the paper's step is " + with_digits(ratio, 2) +
-                     " times the largest stable one of its method, and " + with_digits(100 * s.books.share(), 3) +
+                     " times the largest stable one of its method, and " + with_digits(100 * s.balance.share(), 3) +
                      " % of the energy handled is made up.",
                  ratio > 1);
   }

@@ -17,7 +17,7 @@ struct StandingScene {
   std::vector<std::complex<double>> values;  // 1/s, upper half
   std::vector<StableStep> steps;
   double own_growth = 0;   // 1/s, see Standing
-  Books books;             // at its own step, by its own method
+  EnergyBalance balance;   // at its own step, by its own method
   OperatingPoint point{};  // the fastest part at its own step
 };
 

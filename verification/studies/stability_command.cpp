@@ -36,11 +36,11 @@ const char* verdict(const StableStep& step, double own) {
   return own < step.slow || std::isnan(step.slow) ? "stable" : "grows slowly";
 }
 
-std::string energy_words(const Books& books) {
-  if (!books.diverged.empty()) return "diverged: " + books.diverged;
-  if (std::isnan(books.made())) return "nothing moves in them";
+std::string energy_words(const EnergyBalance& balance) {
+  if (!balance.diverged.empty()) return "diverged: " + balance.diverged;
+  if (std::isnan(balance.made())) return "nothing moves in them";
   char text[64];
-  std::snprintf(text, sizeof text, "energy %+.2g %%", 100 * books.made());
+  std::snprintf(text, sizeof text, "energy %+.2g %%", 100 * balance.made());
   return text;
 }
 
@@ -95,9 +95,9 @@ int stability_command(const StabilityOptions& options) {
     }
     throw_if_interrupted();
     const StableStep step = stable_step(s, info.name);
-    const Books books = run_on(s, info.name, own);
+    const EnergyBalance balance = run_on(s, info.name, own);
     std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.slow).c_str(), seconds(step.measured).c_str());
-    std::printf("%s; %s\n", verdict(step, own), energy_words(books).c_str());
+    std::printf("%s; %s\n", verdict(step, own), energy_words(balance).c_str());
     flush_standard_output();
   }
   std::printf(

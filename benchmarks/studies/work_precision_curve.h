@@ -6,7 +6,7 @@
 
 namespace furrow::benchmarks {
 
-struct Rung {
+struct WorkPrecisionPoint {
   double setting = 0;                           // s, step; of a controlled method the relative tolerance
   Error error{};                                // root mean square over the phases
   double evaluations = 0;                       // mean over the phases
@@ -16,11 +16,11 @@ struct Rung {
   double error_by(bool force) const { return force ? error.force : error.place; }
 };
 
-struct Ladder {
+struct WorkPrecisionCurve {
   std::string method;
   Locate locate = Locate::none;
-  std::string left_out{};      // why the method cannot run here
-  std::vector<Rung> points{};  // from coarse to fine
+  std::string left_out{};                    // why the method cannot run here
+  std::vector<WorkPrecisionPoint> points{};  // from coarse to fine
   std::string name() const { return method + (locate == Locate::tears ? " +t" : locate == Locate::all ? " +e" : ""); }
 };
 
@@ -30,13 +30,14 @@ struct Variant {
   MethodInfo method;
   Locate locate = Locate::none;
 };
-Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, const Reference& reference);
+WorkPrecisionCurve measure_curve(const Variant& variant, const CaseInfo& info, const Case& scene,
+                                 const Reference& reference);
 
-Json json_of(const Ladder& ladder);
-Ladder ladder_from(const Json& json);
+Json json_of(const WorkPrecisionCurve& method_curve);
+WorkPrecisionCurve curve_from(const Json& json);
 
 // Cost at an error that the method keeps with every finer setting that was tried: between two points along the straight
 // line in logarithms. NaN if it does not get there.
-double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*cost);
+double cost_at(const WorkPrecisionCurve& method_curve, double error, bool by_force, double WorkPrecisionPoint::*cost);
 
 }  // namespace furrow::benchmarks

@@ -1,4 +1,4 @@
-#include "benchmarks/studies/ladder.h"
+#include "benchmarks/studies/work_precision_curve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 namespace furrow::benchmarks {
 namespace {
 
-constexpr double paper_step = 1e-4;  // s: one of the steps of every ladder
+constexpr double paper_step = 1e-4;  // s: one of the steps of every curve
 constexpr int least_repeats = 3, most_repeats = 9;
 constexpr double worth_repeating = 0.05, long_enough = 1.0;  // s of CPU
 constexpr double cold_start = 5e-3;  // s: of shorter runs the first one warms the caches and is not counted
@@ -30,8 +30,8 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-Rung measured(const std::vector<Effort>& phases, const Case& scene, const Reference& reference) {
-  Rung point;
+WorkPrecisionPoint measured(const std::vector<Effort>& phases, const Case& scene, const Reference& reference) {
+  WorkPrecisionPoint point;
   std::vector<double> cpu;
   std::vector<long> evaluations;
   double spent = 0;
@@ -96,9 +96,10 @@ double rounded(double value) {
 
 }  // namespace
 
-Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, const Reference& reference) {
+WorkPrecisionCurve measure_curve(const Variant& variant, const CaseInfo& info, const Case& scene,
+                                 const Reference& reference) {
   const MethodInfo& method = variant.method;
-  Ladder ladder{.method = method.name, .locate = variant.locate};
+  WorkPrecisionCurve method_curve{.method = method.name, .locate = variant.locate};
   const double length = scene.span.end() - scene.span.start;
   const long most = std::lround(4 * length / info.finest);
   for (const double setting : settings_of(info, method.controlled)) {
@@ -114,26 +115,26 @@ Ladder climb(const Variant& variant, const CaseInfo& info, const Case& scene, co
       effort.step = scene.span.interval / std::max(1.0, std::round(scene.span.interval / setting));
       if (nominal_evaluations(method, scene, effort.step) > static_cast<double>(most)) break;
     }
-    Rung point;
+    WorkPrecisionPoint point;
     try {
       point = measured(phases_of(effort, info, scene, method.controlled), scene, reference);
     } catch (const std::invalid_argument& reason) {
-      ladder.left_out = reason.what();
+      method_curve.left_out = reason.what();
       break;
     }
     point.setting = method.controlled ? setting : effort.step;
-    if (point.given_up && !method.controlled && !ladder.points.empty()) break;
+    if (point.given_up && !method.controlled && !method_curve.points.empty()) break;
     if (!point.failure.empty() && !point.given_up && !method.controlled)
       point.evaluations = nominal_evaluations(method, scene, effort.step);
-    ladder.points.push_back(point);
+    method_curve.points.push_back(point);
     if (point.given_up || (point.failure.empty() && below(point.error, reference.floor()))) break;
   }
-  return ladder;
+  return method_curve;
 }
 
-Json json_of(const Ladder& ladder) {
+Json json_of(const WorkPrecisionCurve& method_curve) {
   Json points = Json::array();
-  for (const Rung& p : ladder.points) {
+  for (const WorkPrecisionPoint& p : method_curve.points) {
     Json one = {{"setting", rounded(p.setting)}, {"evaluations", rounded(p.evaluations)}};
     if (p.failure.empty()) {
       one.update({{"place", rounded(p.error.place)},
@@ -146,31 +147,32 @@ Json json_of(const Ladder& ladder) {
     }
     points.push_back(one);
   }
-  Json json = {{"method", ladder.method}, {"locate", static_cast<int>(ladder.locate)}, {"points", points}};
-  if (!ladder.left_out.empty()) json["left_out"] = ladder.left_out;
+  Json json = {{"method", method_curve.method}, {"locate", static_cast<int>(method_curve.locate)}, {"points", points}};
+  if (!method_curve.left_out.empty()) json["left_out"] = method_curve.left_out;
   return json;
 }
 
-Ladder ladder_from(const Json& json) {
+WorkPrecisionCurve curve_from(const Json& json) {
   if (json.contains("failed")) throw std::runtime_error(json.at("failed").get<std::string>());
-  Ladder ladder{.method = json.at("method"),
-                .locate = static_cast<Locate>(json.at("locate").get<int>()),
-                .left_out = json.value("left_out", "")};
+  WorkPrecisionCurve method_curve{.method = json.at("method"),
+                                  .locate = static_cast<Locate>(json.at("locate").get<int>()),
+                                  .left_out = json.value("left_out", "")};
   for (const Json& p : json.at("points")) {
-    Rung point{.setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
+    WorkPrecisionPoint point{
+        .setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
     point.error = {p.value("place", 0.0), p.value("force", 0.0)};
     point.cpu = p.value("cpu", 0.0);
     point.cpu_least = p.value("cpu_least", 0.0);
     point.cpu_most = p.value("cpu_most", 0.0);
-    ladder.points.push_back(point);
+    method_curve.points.push_back(point);
   }
-  return ladder;
+  return method_curve;
 }
 
-double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*cost) {
+double cost_at(const WorkPrecisionCurve& method_curve, double error, bool by_force, double WorkPrecisionPoint::*cost) {
   double reached = NAN;
-  for (std::size_t k = ladder.points.size(); k-- > 0;) {
-    const Rung& p = ladder.points[k];
+  for (std::size_t k = method_curve.points.size(); k-- > 0;) {
+    const WorkPrecisionPoint& p = method_curve.points[k];
     if (!p.failure.empty() && std::isnan(reached)) continue;  // given up at the fine end
     if (!p.failure.empty()) break;
     if (p.error_by(by_force) <= error) {
@@ -178,7 +180,7 @@ double cost_at(const Ladder& ladder, double error, bool by_force, double Rung::*
       continue;
     }
     if (std::isnan(reached)) return reached;
-    const Rung& finer = ladder.points[k + 1];
+    const WorkPrecisionPoint& finer = method_curve.points[k + 1];
     const double at =
         std::log(p.error_by(by_force) / error) / std::log(p.error_by(by_force) / finer.error_by(by_force));
     return p.*cost * std::pow(finer.*cost / p.*cost, at);
