@@ -27,13 +27,20 @@ std::vector<MethodEntry>& entries() {
   return all;
 }
 
+std::deque<MethodInfo>& infos() {
+  static std::deque<MethodInfo> all = [] {
+    std::deque<MethodInfo> list;
+    for (const MethodEntry& entry : entries()) list.push_back(entry.info);
+    return list;
+  }();
+  return all;
+}
+
 }  // namespace
 
-std::vector<MethodInfo> method_catalogue() {
+const std::deque<MethodInfo>& method_catalogue() {
   const std::scoped_lock lock(mutex);
-  std::vector<MethodInfo> list;
-  for (const MethodEntry& entry : entries()) list.push_back(entry.info);
-  return list;
+  return infos();
 }
 
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances) {
@@ -52,6 +59,7 @@ void register_method(const MethodEntry& entry) {
     if (other.info.name == entry.info.name)
       throw std::invalid_argument("there is a method '" + entry.info.name + "' already");
   }
+  infos().push_back(entry.info);
   entries().push_back(entry);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -106,12 +107,13 @@ struct MethodEntry {
 };
 
 // All methods, own ones first: those of each file of this folder, and what has been registered from outside.
-std::vector<MethodInfo> method_catalogue();
+// What it refers to stays where it is, also when a method is registered.
+const std::deque<MethodInfo>& method_catalogue();
 
 // Throws std::invalid_argument that names the nearest one if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
-// A method from outside, to be used like any other from then on. Throws std::invalid_argument if its name is taken.
+// A method from outside, to be used like any other from then on; before other threads ask for methods. Throws std::invalid_argument if its name is taken.
 void register_method(const MethodEntry& entry);
 
 // A method of this folder enters the catalogue at the end of its file; the build finds it there.

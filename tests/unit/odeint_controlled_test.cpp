@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 
 std::vector<MethodInfo> controlled_methods() {
-  std::vector<MethodInfo> list = method_catalogue();
+  std::vector<MethodInfo> list(method_catalogue().begin(), method_catalogue().end());
   std::erase_if(list, [](const MethodInfo& info) { return !info.controlled || info.family != "odeint"; });
   return list;
 }

@@ -44,7 +44,7 @@ void registered() {
 
 TEST(Registration, AMethodFromOutsideIsInTheCatalogueAndIsMadeByItsName) {
   registered();
-  const auto all = method_catalogue();
+  const auto& all = method_catalogue();
   EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto& m) { return m.name == "midpoint_from_outside"; }), 1);
   EXPECT_EQ(make_method("midpoint_from_outside")->info().order, 2);
 }
@@ -79,7 +79,7 @@ TEST(Registration, AMethodFromOutsideCarriesASceneWithItsOrder) {
 
 // The paper's method stands first, own ones before others.
 TEST(Registration, TheCatalogueIsInOrder) {
-  const auto all = method_catalogue();
+  const auto& all = method_catalogue();
   ASSERT_GT(all.size(), 20u);
   EXPECT_EQ(all.front().name, "pece");
   const auto first_other = std::find_if(all.begin(), all.end(), [](const auto& m) { return m.family != "own"; });
