@@ -220,6 +220,20 @@ double measured_step(const Standing& s, const std::string& method, double guess)
   return by_bisection([&](double h) { return frozen_grows(s, method, h); }, guess);
 }
 
+namespace {
+
+// J: round-off of a scene in which nothing has happened yet, and what a plate that has just met something has given it.
+double as_good_as_nothing(const Standing& s) {
+  const Parts& parts = s.system.parts();
+  double speed = greatest_speed(s.system, s.y), lightest = infinity;
+  for (const PlatePart& p : parts.plate) speed = std::max(speed, std::hypot(p.vx, p.vy));
+  for (const double mass : parts.disc.mass) lightest = std::min(lightest, mass);
+  for (const double mass : parts.node.mass) lightest = std::min(lightest, mass);
+  return 1e-6 * 0.5 * lightest * speed * speed;
+}
+
+}  // namespace
+
 EnergyBalance run_on(const Standing& s, const std::string& method, double h, int steps) {
   System system = s.system;
   State y = s.y;
@@ -229,8 +243,10 @@ EnergyBalance run_on(const Standing& s, const std::string& method, double h, int
   const RunEnd end =
       run(system, *make_method(method), y, plan, [&](double, const State&, const JumpReport&) { return ++n <= steps; });
   const Energies now = observe(system, end.time, y).energy;
+  const double supplied = now.supplied(start);
   return {end.reason, now.residual(start),
-          std::fabs(now.plate_work - start.plate_work) + std::fabs(now.lost() - start.lost()), now.supplied(start)};
+          std::fabs(now.plate_work - start.plate_work) + std::fabs(now.lost() - start.lost()),
+          supplied > as_good_as_nothing(s) ? supplied : 0};
 }
 
 double EnergyBalance::made() const { return supplied > 0 ? residual / supplied : NAN; }

@@ -57,8 +57,8 @@ struct EnergyBalance {
   std::string diverged;  // why, or empty
   double residual = 0;   // J
   double handled = 0;    // J, work of the plates and losses, without sign
-  double supplied = 0;   // J, what the scene had and was given, see Energies::supplied
-  // -, of what was supplied; NaN if that is nothing but round-off of the energies that there are
+  double supplied = 0;   // J, what the scene had and was given, see Energies::supplied; 0 if that is round-off
+  // -, of what was supplied; NaN if that is nothing
   double made() const;
   double share() const { return handled > 0 ? std::fabs(residual) / handled : 0; }
 };

@@ -38,7 +38,7 @@ const char* verdict(const StableStep& step, double own) {
 
 std::string energy_words(const EnergyBalance& balance) {
   if (!balance.diverged.empty()) return "diverged: " + balance.diverged;
-  if (std::isnan(balance.made())) return "nothing moves in them";
+  if (std::isnan(balance.made())) return "nothing happens in them";
   char text[64];
   std::snprintf(text, sizeof text, "energy %+.2g %%", 100 * balance.made());
   return text;
