@@ -97,6 +97,30 @@ TEST_F(StepCommands, StabilityOfWhatNothingActsOnSaysSo) {
   EXPECT_NE(out().find("nothing acts on anything here"), std::string::npos) << out();
 }
 
+// An undamped spring has its energy multiplied by |r|^(2 n) in n steps, r the greatest root of the method's recurrence at
+// z = i h omega: r^2 = r (1 + 3/2 z) - z/2 of ab2, r^2 = r (1 + z + 3/4 z^2) - z^2/4 of pece.
+TEST_F(StepCommands, StabilitySaysWhatAMethodMakesOfTheEnergyOfAnUndampedSpring) {
+  using Complex = std::complex<double>;
+  const auto made = [](Complex one, Complex none) {  // r^2 = one r + none
+    const Complex root = std::sqrt(one * one + 4.0 * none);
+    const double size = std::max(std::abs(one + root), std::abs(one - root)) / 2;
+    return 100 * (std::pow(size, 400) - 1);
+  };
+  put("s.toml", spring(0, 0.015));
+  ASSERT_EQ(furrow("stability s.toml --method ab2 pece").code, 0) << err();
+  const Complex z(0, 0.015 * 20);
+  for (const auto& [method, want] :
+       {std::pair{"ab2", made(1.0 + 1.5 * z, -0.5 * z)}, {"pece", made(1.0 + z + 0.75 * z * z, -0.25 * z * z)}}) {
+    double got = 0;
+    const std::string rest = row(method).rest;
+    ASSERT_EQ(std::sscanf(rest.c_str() + rest.find("energy "), "energy %lf %%", &got), 1) << rest;
+    // What is left of the energy, but for the first steps and for where in its swing it is seen: both of order h omega.
+    EXPECT_NEAR(100 + got, 100 + want, 0.5 * std::abs(z) * (100 + want)) << method;
+  }
+  EXPECT_NE(out().find("growth of more than 1e-5 a step, as furrow explain"), std::string::npos) << out();
+  EXPECT_NE(out().find("grow by more than 1e-3 a step"), std::string::npos) << out();
+}
+
 // The plate of the first scene meets the lattice later than in 200 steps: round-off over round-off is no energy made.
 TEST_F(StepCommands, StabilityBeforeAnythingHappensSaysSo) {
   ASSERT_EQ(furrow("stability " + scene("scenario_1") + " --method pece rk4").code, 0) << err();
