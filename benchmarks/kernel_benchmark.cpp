@@ -29,7 +29,7 @@ struct Patch {
   std::vector<double> x, y, vx, vy, spin;
   std::vector<furrow::DiscRow> rows = std::vector<furrow::DiscRow>(discs);
   std::vector<furrow::DiscLoad> load = std::vector<furrow::DiscLoad>(discs);
-  std::vector<double> spring = std::vector<double>(contacts + 1), rate = spring;  // the last one is the spare
+  std::vector<double> spring = std::vector<double>(contacts + 1), rate = spring;  // the last one is the dummy
   std::unique_ptr<TouchBlock> block = std::make_unique<TouchBlock>();
   furrow::ContactLaw law = furrow::contact_law({2e5, -0.5}, {2e5, -0.5}, 20, 0.5, 0.5, false);
   furrow::ContactModel model{&law, true, true, 1e-2};

@@ -122,7 +122,7 @@ Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurv
                    "best of each family "
                    "of Boost.Odeint. Star: the paper's setting. Bars: spread of the repeats. Below the dashed line the "
                    "references do not "
-                   "tell errors apart: what is smaller is drawn on it.";
+                   "distinguish errors: what is smaller is drawn on it.";
   figure.description = "Work-precision chart of " + info.title;
   std::string names, styles;
   int count = 0;

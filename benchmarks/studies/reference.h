@@ -20,7 +20,7 @@ Json reference_runs(const CaseInfo& info, const Case& scene);
 Reference reference_from(const Json& runs);
 
 // A run and one whose start is off by 1e-12 of each position, by the paper's method with short steps: seconds from the
-// start until they are further apart than 1e-9, 1e-6, 1e-3 of how far bodies got (null: never), and by how much the
+// start until they differ by more than 1e-9, 1e-6, 1e-3 of how far bodies got (null: never), and by how much the
 // nudge has grown at the end of the case.
 Json predictability(const CaseInfo& info, const Case& scene);
 

@@ -161,7 +161,7 @@ void add_gains(Report& report, const std::vector<Found>& all) {
       "The cheapest method at an error, and how many times dearer the paper's method is there. At the paper's "
       "own error that is the paper's setting, pece at 1e-4 s. A method must keep the error with every finer "
       "setting; costs between two settings are read off the straight line in logarithms. Not resolved: below what the "
-      "references tell apart.",
+      "references can distinguish.",
       {"scene", "error", "fewest evaluations", "evaluations", "gain", "least CPU", "CPU [s]", "gain"}, rows);
 }
 
@@ -175,8 +175,8 @@ void add_references(Report& report, const std::vector<Found>& all) {
   report.table(
       "References: rk4 at a short step, and a method that shares nothing with it. The charts end where the two "
       "differ by a tenth of the error.",
-      {"scene", "what happens", "judged by", "step of rk4 [s]", "the other", "apart, positions", "apart, force curve",
-       "smallest error shown", "links torn"},
+      {"scene", "what happens", "judged by", "step of rk4 [s]", "the other", "difference, positions",
+       "difference, force curve", "smallest error shown", "links torn"},
       rows);
 }
 
@@ -193,7 +193,7 @@ void add_predictability(Report& report, const std::vector<Found>& all) {
   }
   report.table(
       "How long the scenes can be foretold: two runs whose starts differ by 1e-12 of each position (pece at "
-      "2.5e-5 s), by how much that has grown at the end of the chart, and when they are further apart than a "
+      "2.5e-5 s), by how much that has grown at the end of the chart, and when they differ by more than a "
       "fraction of the way that the bodies have gone.",
       {"scene", "watched [s]", "grown, times", "1e-9 apart [s]", "1e-6 apart [s]", "1e-3 apart [s]"}, rows);
 }
@@ -211,7 +211,7 @@ void add_bound(Report& report, const Found& f, double papers) {
               " 1/s, by the spectrum. No method here but rkc covers more than 2 of the negative real axis an "
               "evaluation, so that the others need " +
               shown(least) + " evaluations to stay stable at all, " + shown(100 * least / papers, "%.0f") +
-              " % of the paper's. rkc covers more, but steps anew at every touch and slip.");
+              " % of the paper's. rkc covers more, but starts again at every touch and slip.");
 }
 
 void add_paper(Report& report, const Found& f) {

@@ -89,8 +89,8 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
       ->capture_default_str()
       ->type_name("DIR");
   golden->add_flag("--quick", asked.quick, "scene 1 whole, the others for 0.1 s");
-  golden->add_flag("--remake", asked.remake, "write those that differ anew");
-  golden->add_option("--reason", asked.reason, "why they are made anew")->type_name("TEXT");
+  golden->add_flag("--remake", asked.remake, "write those that differ again");
+  golden->add_option("--reason", asked.reason, "why they are made again")->type_name("TEXT");
 
   all.push_back({study, [] { return study_command(studied); }});
   for (const CLI::App* named : {ensemble, statements}) {

@@ -15,8 +15,9 @@
 //   M  = -mu_r R* max(0, Fn) w / sqrt(w^2 + w0^2)
 //
 // with overlap d >= 0 (0 by rounding, between discs), approach speed d', slip speed vt, tangential displacement xi,
-// relative spin w = omega_i - omega_j. R* serves as the rolling radius too. Which radius, mass, arm and normal each kind
-// of contact has: system/contact.h. The life of xi: system/discrete.h. What follows for an impact: physics/impact.h.
+// relative spin w = omega_i - omega_j. R* serves as the rolling radius too. Which radius, mass, arm and normal each
+// kind of contact has: system/contact.h. The life of xi: system/discrete.h. What follows for an impact:
+// physics/impact.h.
 //
 // Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form
 // of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525). Valid for small overlap against the radius; the soil of the
@@ -84,7 +85,7 @@ struct Touch {
 
 struct TouchForce {
   double elastic;          // N, Fe
-  double normal;           // N, Fn, pushing the two apart
+  double normal;           // N, Fn, repulsive if positive
   double tangential;       // N, Ft on body i, along the tangent
   double moment;           // N m, M on body i
   double stiffness;        // N/m, Sn
@@ -140,8 +141,8 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
   return f;
 }
 
-// W: at which rate one contact takes mechanical energy away, by cause; but for `stiffening`, which gives. The tangential
-// spring holds 1/2 St xi^2, and St goes with sqrt(d):
+// W: at which rate one contact takes mechanical energy away, by cause; but for `stiffening`, which gives. The
+// tangential spring holds 1/2 St xi^2, and St goes with sqrt(d):
 //
 //   d/dt (1/2 St xi^2) = St xi vt + 1/4 xi^2 St d'/d
 //

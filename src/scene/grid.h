@@ -1,6 +1,6 @@
 // Points sorted into square cells, by counting. There are never many more cells than points: where the points lie far
-// apart the cells are folded like a map, those a whole number of folds apart are one. So a point that flew far off
-// costs no more than any other. The room is kept from one time to the next.
+// from each other the cells are folded like a map, so that cells whose distance is a whole number of folds are one. So
+// a point that flew far off costs no more than any other. The room is kept from one time to the next.
 #pragma once
 
 #include <algorithm>

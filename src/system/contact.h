@@ -3,13 +3,13 @@
 // The tangent is t = (-ny, nx). Body a gets the force -Fn n + Ft t, body b the opposite, shared by the two nodes of a
 // border segment as 1 - share and share.
 //
-//   kind          R*               m*                                      arms of a, b          n
-//   disc-disc     Ra Rb/(Ra + Rb)  ma mb/(ma + mb)                         Ra - d/2, Rb - d/2   between the centres
-//   disc-wall     Ra               ma                                      Ra - d           against the wall's normal
-//   disc-plate    Ra               ma                                      Ra - d           to the nearest point
-//   disc-lattice  Ra               1/(1/ma + (1 - s)^2/mi + s^2/mj)        Ra - d           to the contact point
-//   node-wall     contact_radius   ma                                      0                against the wall's normal
-//   node-plate    contact_radius   ma                                      0                to the nearest face
+//   kind          R*               m*                                arms of a, b        n
+//   disc-disc     Ra Rb/(Ra + Rb)  ma mb/(ma + mb)                   Ra - d/2, Rb - d/2  between the centres
+//   disc-wall     Ra               ma                                Ra - d              against the wall's normal
+//   disc-plate    Ra               ma                                Ra - d              to the nearest point
+//   disc-lattice  Ra               1/(1/ma + (1 - s)^2/mi + s^2/mj)  Ra - d              to the contact point
+//   node-wall     contact_radius   ma                                0                   against the wall's normal
+//   node-plate    contact_radius   ma                                0                   to the nearest face
 //
 // n is a unit vector from a to b; of a centre inside a plate the inward normal of the nearest face, of one on the far
 // side of a border the direction to the contact point. Fixed nodes have an infinite mass. With `lever = "radius"` an

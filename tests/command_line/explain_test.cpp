@@ -256,7 +256,7 @@ TEST_F(Explain, TheScenesStepIsWellInsideUpToHalfOfItsLimit) {
 
 TEST_F(Explain, CountsWhatIsModelled) {
   const std::string text = explain(discs);
-  // 2 discs: x, y, vx, vy, spin; room for springs and one spare; 7 of the ledger.
+  // 2 discs: x, y, vx, vy, spin; room for springs and one dummy slot; 7 of the ledger.
   const int springs = static_cast<int>(numbers(text, "tangential springs", "room for").at(0));
   EXPECT_EQ(numbers(text, "modelled (", "numbers of state").at(0), 2 * 5 + springs + 1 + 7);
   EXPECT_EQ(numbers(text, "discs", "numbers each").at(0), 2);

@@ -26,7 +26,7 @@ TEST_F(ExpectedToFail, VerletTakesTheRatesThatAJumpLeaves) {
   }
 }
 
-// m: how far apart in memory the two of a contact are, in numbers of a state.
+// How far from each other in memory the two of a contact are, in numbers of a state.
 double mean_distance(const Scene& scene) {
   const System system(scene);
   const State y = system.initial_state();

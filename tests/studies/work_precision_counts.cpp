@@ -65,7 +65,7 @@ TEST(WorkPrecision, UnrelatedReferencesAgreeTenTimesBetterThanThePapersError) {
     const benchmarks::Reference known = reference(name);
     const double papers = error_of(outcome(name, "pece", 1e-4), known.outcome).place;
     expect(name + ": apart, of the paper's error", known.disagreement.place / papers, 0,
-           absolute(0.1, "an error is told from the reference's own only if it is ten times larger"));
+           absolute(0.1, "an error is distinguished from the reference's own only if it is ten times larger"));
   }
 }
 

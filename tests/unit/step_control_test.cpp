@@ -104,7 +104,7 @@ TEST(StepControl, AStepCutByAStopIsJudgedAsWritten) {
   expect_as_written({.relative = 1e-5, .absolute = 1e-7, .first_step = 1e-3}, 3, 0.05, most);
 }
 
-// Does nothing, and says of its error what it is told to; the last number is not controlled.
+// Does nothing, and says of its error what it is asked to; the last number is not controlled.
 class SaysItsError final : public ControlledMethod {
  public:
   explicit SaysItsError(const Tolerances& tolerances) : ControlledMethod({"says", "", 2, 0, true}, tolerances) {}
