@@ -14,61 +14,19 @@
 //
 // Sources: algebra; in place LAMMPS, granular tests, rolling_decay.
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "run/observe.h"
 #include "verification/check.h"
+#include "verification/rolling_scenes.h"
 #include "verification/running.h"
 
-namespace furrow::verification {
+namespace furrow::verification::rolling_resistance {
 namespace {
-
-constexpr double radius = 0.01;   // m
-constexpr double density = 1000;  // kg/m^3
-constexpr double young = 1e8;     // Pa
-constexpr double soft = 4e6;      // Pa
-constexpr double poisson = 0.3;   // -
-constexpr double gravity = 9.81;  // m/s^2
-constexpr double rolling = 0.1;   // -, mu_r
-
-constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
-
-struct Body {
-  std::string name;
-  DiscMass reading;
-  double c;     // I / (m R^2)
-  double mass;  // kg
-};
-const Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
-const Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
-
-// m, of a disc that presses with `force` on a wall of its own material.
-double overlap(double force, double modulus_of_young) {
-  const double modulus = modulus_of_young / (2 * (1 - poisson * poisson));
-  return std::cbrt(std::pow(force / (4.0 / 3 * modulus * std::sqrt(radius)), 2));
-}
-
-// On a floor that falls to the left.
-Scene on_floor(const Body& body, double friction, double e_modulus, double rise, double speed, double spin) {
-  Scene scene;
-  const double level = std::sqrt(1 - rise * rise);
-  scene.model = {.gravity = gravity, .disc_mass = body.reading, .lever = Lever::radius};
-  scene.contact = {.damping_factor = 1, .friction = friction, .rolling_friction = rolling};
-  scene.material.push_back({.name = "any", .density = density, .young = e_modulus, .poisson = poisson});
-  scene.wall.push_back({"floor", {0, 0}, {-rise, level}, "any"});
-  const double height = radius - overlap(body.mass * gravity * level, e_modulus);
-  scene.disc.push_back({{-height * rise, height * level}, radius, {speed, 0}, spin, "any"});
-  return scene;
-}
-
-double falling(double omega, double w0) {
-  return std::sqrt(omega * omega + w0 * w0) - w0 * std::asinh(w0 / std::fabs(omega));
-}
 
 TEST(RollingResistance, SpinInPlaceDecays) {
   requirement("tangential.rolling_decay");
-  for (const Body& body : {disc, sphere}) {
+  for (const RoundBody& body : {disc, sphere}) {
     for (const double w0 : {1e-5, 1.0, 20.0}) {
       for (const double spin : {20.0, -20.0}) {
         Scene scene = on_floor(body, 0, young, 0, 0, spin);
@@ -83,7 +41,7 @@ TEST(RollingResistance, SpinInPlaceDecays) {
         expect_true("it does not turn round" + which, got * spin > 0, "the moment opposes the spin");
         expect("lost to rolling / energy lost" + which,
                observe(ran.system, ran.end.time, ran.y).energy.rolling /
-                   (0.5 * body.c * body.mass * radius * radius * (spin * spin - got * got)),
+                   (0.5 * body.c * mass(body) * radius * radius * (spin * spin - got * got)),
                1, relative(2e-13, "round-off over 200 steps; truncation is below it"));
       }
     }
@@ -92,9 +50,9 @@ TEST(RollingResistance, SpinInPlaceDecays) {
 
 TEST(RollingResistance, WheelSlowsMoreGentlyThanASpinInPlace) {
   requirement("tangential.rolling_decay");
-  for (const Body& body : {disc, sphere}) {
+  for (const RoundBody& body : {disc, sphere}) {
     for (const Lever lever : {Lever::radius, Lever::overlap}) {
-      const double sinking = lever == Lever::overlap ? overlap(body.mass * gravity, soft) : 0;
+      const double sinking = lever == Lever::overlap ? overlap(mass(body) * gravity, soft) : 0;
       const double arm = radius - sinking;
       Scene scene = on_floor(body, 1, lever == Lever::overlap ? soft : young, 0, 1, -1 / arm);
       scene.model.lever = lever;
@@ -117,7 +75,7 @@ TEST(RollingResistance, SmoothedMomentLetsItCreepOnASlope) {
   requirement("tangential.rolling_creep");
   constexpr double rise = 0.06;
   const double slope = rise / std::sqrt(1 - rise * rise);
-  for (const Body& body : {disc, sphere}) {
+  for (const RoundBody& body : {disc, sphere}) {
     for (const double w0 : {0.03, 0.3}) {
       Scene scene = on_floor(body, 1, young, rise, 0, 0);
       scene.model.rolling_smoothing = w0;
@@ -134,19 +92,19 @@ TEST(RollingResistance, TwoThatMeetBrakeEachOther) {
   // No friction, no damping: e = 1. The second one is larger, at rest but for its spin, and turns faster the same way.
   constexpr double other = 0.03;   // m
   constexpr double closing = 0.1;  // m/s
-  for (const Body& body : {disc, sphere}) {
+  for (const RoundBody& body : {disc, sphere}) {
     Scene scene = on_floor(body, 0, young, 0, 0, 0);
     scene.wall.clear();
     scene.model.gravity = 0;
     scene.model.rolling_smoothing = 1e-5;
     scene.contact.damping_factor = 0;
     scene.disc = {{{0, 0}, radius, {closing, 0}, 30, "any"}, {{radius + other, 0}, other, {0, 0}, 40, "any"}};
-    const double mass2 = body.mass * (body.reading == DiscMass::disc ? 9 : 27);
-    const double impulse = 2 * closing * body.mass * mass2 / (body.mass + mass2);
+    const double mass2 = mass(body) * (body.reading == DiscMass::disc ? 9 : 27);
+    const double impulse = 2 * closing * mass(body) * mass2 / (mass(body) + mass2);
     const double angular = rolling * radius * other / (radius + other) * impulse;  // N m s
     const Ran ran = run_scene(scene, "rk4", 1e-6, 0.01);
     expect("first spin [rad/s], " + body.name, ran.y[ran.system.spin_of(0)],
-           30 + angular / (body.c * body.mass * radius * radius),
+           30 + angular / (body.c * mass(body) * radius * radius),
            relative(3e-10, "truncation of order 5/2: 1.4e-10 measured, doubled"));
     expect("second spin [rad/s], " + body.name, ran.y[ran.system.spin_of(1)],
            40 - angular / (body.c * mass2 * other * other),
@@ -155,4 +113,4 @@ TEST(RollingResistance, TwoThatMeetBrakeEachOther) {
 }
 
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::rolling_resistance

@@ -12,14 +12,14 @@
 //
 // Source: any textbook of mechanics (the sliding billiard ball); MFiX verification case DEM04.
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "run/observe.h"
 #include "verification/check.h"
+#include "verification/round_body.h"
 #include "verification/running.h"
 
-namespace furrow::verification {
+namespace furrow::verification::slide_to_roll {
 namespace {
 
 constexpr double radius = 0.01;     // m
@@ -30,24 +30,15 @@ constexpr double launch = 0.1;      // m/s, u0
 constexpr double young_hard = 1e9;  // Pa
 constexpr double young_soft = 4e6;  // Pa: a disc sinks in by 5 % of its radius
 
-constexpr double disc_mass = density * std::numbers::pi * radius * radius;  // kg, 1 m deep
-
-struct Body {
-  std::string name;
-  DiscMass reading;
-  double c;     // I / (m R^2)
-  double mass;  // kg
-};
-const Body disc{"disc", DiscMass::disc, 0.5, disc_mass};
-const Body sphere{"sphere", DiscMass::sphere, 0.4, disc_mass * 4 * radius / 3};
+double mass(const RoundBody& body) { return body.mass(density, radius); }  // kg
 
 // m: under its own weight, on a wall of the same material.
-double resting_overlap(const Body& body, double young) {
+double resting_overlap(const RoundBody& body, double young) {
   const double modulus = young / (2 * (1 - poisson * poisson));
-  return std::cbrt(std::pow(body.mass * gravity / (4.0 / 3 * modulus * std::sqrt(radius)), 2));
+  return std::cbrt(std::pow(mass(body) * gravity / (4.0 / 3 * modulus * std::sqrt(radius)), 2));
 }
 
-Scene launch_scene(const Body& body, double friction, double young, Lever lever) {
+Scene launch_scene(const RoundBody& body, double friction, double young, Lever lever) {
   Scene scene;
   scene.model = {.gravity = gravity, .disc_mass = body.reading, .lever = lever};
   scene.contact = {.damping_factor = 0.5, .friction = friction};
@@ -57,14 +48,14 @@ Scene launch_scene(const Body& body, double friction, double young, Lever lever)
   return scene;
 }
 
-std::string which(const Body& body, double friction) {
+std::string which(const RoundBody& body, double friction) {
   return ", " + body.name + ", mu " + std::to_string(friction).substr(0, 3);
 }
 
 TEST(SlideToRoll, SlidesUniformlyUntilItRolls) {
   requirement("tangential.slide_to_roll");
   const Tolerance in_slip = relative(1e-12, "round-off over 400 steps");
-  for (const Body& body : {disc, sphere}) {
+  for (const RoundBody& body : {disc, sphere}) {
     for (const double friction : {0.2, 0.6, 1.0}) {
       const double rolling_from = body.c / (1 + body.c) * launch / (friction * gravity);
       double last = 0;     // s, the last step with all of it sliding
@@ -94,7 +85,7 @@ const Tolerance rounded = relative(3e-13, "round-off: m u - I omega / a is kept 
 
 TEST(SlideToRoll, KeepsTwoThirdsOfItsSpeedAsADiscAndFiveSeventhsAsASphere) {
   requirement("tangential.slide_to_roll");
-  for (const Body& body : {disc, sphere}) {
+  for (const RoundBody& body : {disc, sphere}) {
     for (const double friction : {0.2, 1.0}) {
       const Scene scene = launch_scene(body, friction, young_hard, Lever::radius);
       const Ran ran = run_scene(scene, "rk4", 2e-5, 0.1);
@@ -102,7 +93,7 @@ TEST(SlideToRoll, KeepsTwoThirdsOfItsSpeedAsADiscAndFiveSeventhsAsASphere) {
       expect("u at the end [m/s]" + which(body, friction), ran.y[ran.system.vx_of(0)], end, rounded);
       expect("omega R at the end [m/s]" + which(body, friction), ran.y[ran.system.spin_of(0)] * radius, -end, rounded);
       expect("energy lost [J] / (m u0^2 / 2)" + which(body, friction),
-             observe(ran.system, ran.end.time, ran.y).energy.lost() / (0.5 * body.mass * launch * launch),
+             observe(ran.system, ran.end.time, ran.y).energy.lost() / (0.5 * mass(body) * launch * launch),
              body.c / (1 + body.c),
              relative(2.2e-7, "truncation at the moment it stops sliding: order 2, 1.1e-7 measured, doubled"));
     }
@@ -133,4 +124,4 @@ TEST(SlideToRoll, LeverToTheContactPointKeepsLess) {
 }
 
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::slide_to_roll
