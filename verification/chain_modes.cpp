@@ -1,36 +1,23 @@
-// Longitudinal waves of a chain: fixed and free ends in the time domain, and dispersion with skip-one springs.
+// Longitudinal waves of a chain with fixed and with free ends, in the time domain.
 //
-//   m u_n'' = k (u_(n+1) - 2 u_n + u_(n-1)) + kb (u_(n+2) - 2 u_n + u_(n-2)),  and the same with dampers c, cb on u'
+//   m u_n'' = k (u_(n+1) - 2 u_n + u_(n-1)),  and the same with dampers c on u'
 //   fixed ends, N free masses:  u_n = sin(j pi n/(N+1)),      w_j = 2 sqrt(k/m) sin(j pi/(2 (N+1))),  n, j = 1 ... N
 //   free ends, N masses:        u_n = cos(j pi (n + 1/2)/N),  w_j = 2 sqrt(k/m) sin(j pi/(2 N)),      n, j = 0 ... N-1
-//   let go at rest:  u(t) = u(0) e^(-z w t) (cos wd t + z w/wd sin wd t),  z = c w_j/(2 k),  wd = w sqrt(1 - z^2)
-//   plane wave:  w^2 = 4 k/m sin^2(q/2) + 4 kb/m sin^2(q)
+//   let go at rest:
+//     u(t) = u(0) e^(-z w t) (cos wd t + z w/wd sin wd t),  z = c w_j/(2 k),  wd = w sqrt(1 - z^2)
 //
 // Along its line the chain is linear at any amplitude, so that nothing but the method and round-off is left.
 // Source: Brillouin, Wave Propagation in Periodic Structures, chapters 1 to 3.
-#include <numbers>
+#include <algorithm>
+#include <cmath>
+#include <string>
 
-#include "verification/bare_lattice.h"
+#include "verification/chain.h"
 #include "verification/check.h"
 #include "verification/running.h"
 
-namespace furrow::verification {
+namespace furrow::verification::chain_modes {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double spacing = 0.1;       // m
-constexpr double mass = 2;            // kg
-constexpr double stiffness = 800;     // N/m
-constexpr double skip = 300;          // N/m, skip-one springs
-constexpr double amplitude = 0.02;    // m
-constexpr int masses = 8;             // free ones
-constexpr double step_in_rad = 0.01;  // omega h
-
-Scene chain_scene(int columns) {
-  Scene scene = bare_lattice(1, columns, spacing, mass);
-  scene.lattice[0].structural.stiffness = stiffness;
-  return scene;
-}
 
 struct Ends {
   bool fixed;
@@ -95,38 +82,5 @@ TEST(ChainModes, DampersOnTheLinksDampEachModeByItsOwnRatio) {
   for (int j = 1; j <= masses; ++j) expect_pure_mode({.fixed = true}, j, 4);
 }
 
-TEST(ChainModes, SkipOneSpringsAddTheirTermToTheDispersion) {
-  requirement("lattice.chain_dispersion");
-  constexpr int columns = 9;
-  constexpr int middle = 4;  // both of its neighbours on each side are there
-  Scene scene = chain_scene(columns);
-  scene.lattice[0].bending = {.stiffness = skip, .damping = 30};
-  scene.lattice[0].structural.damping = 50;
-  const System system(scene);
-  for (int k = 1; k <= 16; ++k) {
-    const double q = k * pi / 16;
-    State y = system.initial_state();
-    State moving = y;
-    for (int n = 0; n < columns; ++n) {
-      y[system.x_of(n)] += amplitude * std::cos(q * (n - middle));
-      moving[system.vx_of(n)] = amplitude * std::cos(q * (n - middle));
-    }
-    State rates(y.size());
-    system.rhs(0, y, rates);
-    const double by_springs = -rates[system.vx_of(middle)] / amplitude;
-    system.rhs(0, moving, rates);
-    const double by_dampers = -rates[system.vx_of(middle)] / amplitude;
-    const double near = 4 / mass * std::sin(q / 2) * std::sin(q / 2);
-    const double far = 4 / mass * std::sin(q) * std::sin(q);
-    const std::string name = ", q = " + std::to_string(k) + "/16 pi";
-    expect("omega^2 [1/s^2]" + name, by_springs, stiffness * near + skip * far,
-           absolute(1.1e-11, "round-off of four stretches: 4 (k + kb)/m times half an ulp of 0.8 m against 20 mm"));
-    expect("decay [1/s]" + name, by_dampers, 50 * near + 30 * far,
-           absolute(1e-12,
-                    "round-off: springs at rest, good to an ulp of 0.8 m, (k + kb)/m 1e-16 m/s^2, "
-                    "against 0.02 m/s, and eight terms of up to 50 1/s"));
-  }
-}
-
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::chain_modes
