@@ -99,7 +99,7 @@ class Crest {
 
 struct Impact {
   double peak_overlap = 0, peak_force = 0;  // m, N
-  double least_force = infinity;            // N, pushing the two apart
+  double least_force = infinity;            // N, repulsive if positive
   double contact_time = 0;                  // s
   double rebound = 0;                       // speed of separation over speed of approach
   State y;                                  // at the end

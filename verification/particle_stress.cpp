@@ -10,56 +10,14 @@
 //
 // Source: statics, by hand; the formula as in Rojek, Karlis, Malinowski and Beer 2013. F = 4/3 E* sqrt(R) d^(3/2) at an
 // overlap of d; b = R - d, or R with `lever = "radius"`.
-#include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "kernel/kernel.h"
-#include "run/observe.h"
-#include "verification/impact.h"
+#include "verification/boxed_disc.h"
 
-namespace furrow::verification {
+namespace furrow::verification::particle_stress {
 namespace {
-
-constexpr double radius = 0.02;   // m
-constexpr double overlap = 1e-3;  // m
-constexpr double friction = 0.4;
-constexpr Matter soil{"soil", 2e5, 0.25, 1000};
-constexpr double pi = 3.14159265358979323846;
-
-// Walls, rigid, at the sides asked for; normals point to the disc at the origin.
-enum Side { left, right, below, above };
-constexpr std::array<Vec2, 4> inwards{Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-
-Scene boxed(const std::vector<Side>& sides, DiscMass reading = DiscMass::disc) {
-  Scene scene = impact_scene(reading);
-  add_disc(scene, soil, radius, {0, 0}, {0, 0});
-  scene.material.push_back({.name = "rigid", .rigid = true});
-  for (const Side side : sides) {
-    const Vec2 n = inwards[side];
-    const double at = radius - overlap;
-    scene.wall.push_back({.point = {-at * n.x, -at * n.y}, .normal = n, .material = "rigid"});
-  }
-  return scene;
-}
-
-const double force = hertz_stiffness(softness(soil), radius) * std::pow(overlap, 1.5);  // N
-constexpr double arm = radius - overlap;                                                // m
-constexpr double disc_volume = pi * radius * radius;                                    // m^3, 1 m deep
-
-Stress stress_of(const Scene& scene) {
-  const System system(scene);
-  return disc_stresses(system, 0, system.initial_state())[0];
-}
-
-// Pa; want over `scale`, which is 2 b F / V where nothing else is said.
-void expect_stress(const std::string& what, const Stress& got, double xx, double yy, double xy) {
-  const double scale = std::max({std::fabs(xx), std::fabs(yy), std::fabs(xy)});
-  const auto round_off = absolute(1e-14 * scale, "round-off: R - 0.95 R costs a digit of the overlap, then products");
-  expect(what + ": sxx [Pa]", got(0, 0), xx, round_off);
-  expect(what + ": syy [Pa]", got(1, 1), yy, round_off);
-  expect(what + ": sxy [Pa]", got(0, 1), xy, round_off);
-  expect(what + ": syx [Pa]", got(1, 0), xy, round_off);
-  expect(what + ": von Mises [Pa]", von_mises(got), std::sqrt(xx * xx - xx * yy + yy * yy + 3 * xy * xy), round_off);
-}
 
 TEST(ParticleStress, PressedBetweenTwoWalls) {
   requirement("stress.normal");
@@ -155,4 +113,4 @@ TEST(ParticleStress, PureShear) {
 }
 
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::particle_stress

@@ -5,52 +5,15 @@
 //
 // Source: any textbook of mechanics, for example Meirovitch, Fundamentals of Vibrations, chapter 2; for the error of a
 // one-step method on a linear system Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, II.8.
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "run/observe.h"
-#include "verification/spring.h"
+#include "verification/spring_series.h"
 
-namespace furrow::verification {
+namespace furrow::verification::single_spring {
 namespace {
-
-constexpr double end = 1.0;  // s: ten radians
-
-// The oracle's oracle: the same equation by Taylor series in steps so short that round-off is all that is left.
-double series_position(double zeta, double t) {
-  constexpr int steps = 200;
-  long double x = 1;
-  long double v = 0;
-  const long double h = static_cast<long double>(t) / steps;
-  for (int n = 0; n < steps; ++n) {
-    long double a = x;  // k-th Taylor coefficients of x; x'' = -2 zeta omega x' - omega^2 x
-    long double b = v;
-    long double power = 1;
-    long double new_x = 0;
-    long double new_v = 0;
-    for (int k = 0; k < 25; ++k) {
-      new_x += a * power;
-      new_v += b * power;
-      const long double next = b / (k + 1);
-      b = (-2 * static_cast<long double>(zeta) * omega * b - static_cast<long double>(omega) * omega * a) / (k + 1);
-      a = next;
-      power *= h;
-    }
-    x = new_x;
-    v = new_v;
-  }
-  return static_cast<double>(x);
-}
-
-// Size of the n-th derivative of the exact solution at `end`, over omega^n x0: of it and the next one, so that it is no
-// accident if one of them vanishes. From x'' = -2 zeta omega x' - omega^2 x.
-double derivative(double zeta, int n) {
-  double a = exact_position(zeta, end);
-  double b = exact_velocity(zeta, end);
-  for (int k = 0; k < n; ++k) {
-    const double next = -2 * zeta * b - a;
-    a = b;
-    b = next;
-  }
-  return std::hypot(a, b);
-}
 
 struct Error {
   const char* method;
@@ -124,4 +87,4 @@ TEST(SingleSpring, DamperTakesTheEnergyThatIsMissing) {
 }
 
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::single_spring
