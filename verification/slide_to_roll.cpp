@@ -11,46 +11,15 @@
 // The damper is so strong that the disc slides from the start.
 //
 // Source: any textbook of mechanics (the sliding billiard ball); MFiX verification case DEM04.
-#include <cmath>
 #include <string>
 
 #include "run/observe.h"
 #include "verification/check.h"
-#include "verification/round_body.h"
+#include "verification/launch_scene.h"
 #include "verification/running.h"
 
 namespace furrow::verification::slide_to_roll {
 namespace {
-
-constexpr double radius = 0.01;     // m
-constexpr double density = 1000;    // kg/m^3
-constexpr double poisson = 0.3;     // -
-constexpr double gravity = 9.81;    // m/s^2
-constexpr double launch = 0.1;      // m/s, u0
-constexpr double young_hard = 1e9;  // Pa
-constexpr double young_soft = 4e6;  // Pa: a disc sinks in by 5 % of its radius
-
-double mass(const RoundBody& body) { return body.mass(density, radius); }  // kg
-
-// m: under its own weight, on a wall of the same material.
-double resting_overlap(const RoundBody& body, double young) {
-  const double modulus = young / (2 * (1 - poisson * poisson));
-  return std::cbrt(std::pow(mass(body) * gravity / (4.0 / 3 * modulus * std::sqrt(radius)), 2));
-}
-
-Scene launch_scene(const RoundBody& body, double friction, double young, Lever lever) {
-  Scene scene;
-  scene.model = {.gravity = gravity, .disc_mass = body.reading, .lever = lever};
-  scene.contact = {.damping_factor = 0.5, .friction = friction};
-  scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = poisson});
-  scene.wall.push_back({"floor", {0, 0}, {0, 1}, "any"});
-  scene.disc.push_back({{0, radius - resting_overlap(body, young)}, radius, {launch, 0}, 0, "any"});
-  return scene;
-}
-
-std::string which(const RoundBody& body, double friction) {
-  return ", " + body.name + ", mu " + std::to_string(friction).substr(0, 3);
-}
 
 TEST(SlideToRoll, SlidesUniformlyUntilItRolls) {
   requirement("tangential.slide_to_roll");
