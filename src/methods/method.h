@@ -113,7 +113,8 @@ const std::deque<MethodInfo>& method_catalogue();
 // Throws std::invalid_argument that names the nearest one if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
-// A method from outside, to be used like any other from then on; before other threads ask for methods. Throws std::invalid_argument if its name is taken.
+// A method from outside, to be used like any other from then on; before other threads ask for methods. Throws
+// std::invalid_argument if its name is taken.
 void register_method(const MethodEntry& entry);
 
 // A method of this folder enters the catalogue at the end of its file; the build finds it there.
