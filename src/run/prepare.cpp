@@ -12,8 +12,8 @@
 namespace furrow {
 namespace {
 
-constexpr int looks_every = 100;    // steps
-constexpr double first_look = 0.1;  // s: discs that start at rest have begun to fall by then
+constexpr int settling_looked_at_every = 100;  // steps
+constexpr double first_look = 0.1;             // s: discs that start at rest have begun to fall by then
 
 struct Settled {
   System system;
@@ -61,7 +61,7 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   double speed = 0;
   double slow_since = 0;
   const RunEnd end = run(system, *method, result.y, plan, [&](double t, const State& y, const JumpReport&) {
-    if (++steps % looks_every != 0) return true;
+    if (++steps % settling_looked_at_every != 0) return true;
     speed = greatest_speed(system, y, placed.settle->loose.value_or(0));
     interrupted = progress && !progress(t, speed);
     if (speed > placed.settle->speed) slow_since = t;

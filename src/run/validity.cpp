@@ -12,7 +12,7 @@
 namespace furrow {
 namespace {
 
-constexpr long looks_every = 200;      // steps, at the energy
+constexpr long balance_every = 200;    // steps, at the energy
 constexpr double renew_beyond = 1.1;   // times what was there when it was looked at last
 constexpr double judge_beyond = 1.25;  // times the rate that the step was judged by
 constexpr double round_off = 1e-10;    // of the sum of all energies: below, a residual is none;
@@ -226,7 +226,7 @@ void Validity::see(const Step& step, const JumpReport& report) {
   if (!survey.near.empty() && step.h > 0) look_for_crossings(step, survey);
   look_at_step(step, survey);
   look_at_arrival(step.t);
-  if (system_.keeps_ledger() && (!started_ || ++since_booked_ >= looks_every))
+  if (system_.keeps_ledger() && (!started_ || ++since_booked_ >= balance_every))
     book(step.t, observe(system_, step.t, step.after));
   started_ = true;
 }
