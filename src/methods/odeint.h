@@ -28,7 +28,10 @@ MethodEntry odeint_entry(MethodInfo info) {
 class ControlledOdeint : public Method {
  public:
   ControlledOdeint(MethodInfo info, const Tolerances& tolerances)
-      : Method(std::move(info)), proposal_(tolerances.first_step) {}
+      : Method(std::move(info)), first_step_(tolerances.first_step), proposal_(tolerances.first_step) {}
+
+  // What fitted the other force is no proposal for this one.
+  void restart() override { proposal_ = first_step_; }
 
   double step(const OdeSystem& system, double t, State& y, double h) final {
     begin(system, t, y);
@@ -73,7 +76,8 @@ class ControlledOdeint : public Method {
     return std::all_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); });
   }
 
-  double proposal_;  // s
+  double first_step_;  // s
+  double proposal_;    // s
 };
 
 }  // namespace furrow

@@ -71,6 +71,7 @@ class Controlled final : public ControlledOdeint {
       : ControlledOdeint(std::move(info), tolerances), tolerances_(tolerances), stepper_(made()) {}
 
   void restart() override {
+    ControlledOdeint::restart();
     fresh_ = false;
     if constexpr (extrapolates) stepper_.reset();
   }
