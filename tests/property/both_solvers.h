@@ -2,117 +2,13 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <sstream>
 #include <string>
 
+#include "differences.h"
 #include "run/run.h"
 
 namespace furrow::test {
-
-// What is not a number, of discs on one spot, is no number of either.
-inline bool same_bits(double one, double other) {
-  if (std::isnan(one) || std::isnan(other)) return std::isnan(one) && std::isnan(other);
-  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
-}
-
-// "vy of disc 3", "spring of slot 7", "ledger: link damping".
-inline std::string name_of_number(const System& system, int place) {
-  const Layout& at = system.layout();
-  const int bodies = at.bodies;
-  const char* names[] = {"x", "y", "vx", "vy"};
-  if (place < 4 * bodies) return std::string(names[place / bodies]) + " of " + system.parts().body_name(place % bodies);
-  if (place < at.first_spring) return "spin of " + system.parts().body_name(place - 4 * bodies);
-  if (place < at.first_dummy()) return "spring of slot " + std::to_string(place - at.first_spring);
-  if (place < at.ledger_of(0)) return "dummy slot " + std::to_string(place - at.first_dummy());
-  return "entry " + std::to_string(place - at.ledger_of(0)) + " of the ledger";
-}
-
-// How much room there is for springs may differ, what they hold not. Empty if there is no difference.
-inline std::string difference(const System& kernel, const State& y, const System& reference, const State& z) {
-  const Layout &in_y = kernel.layout(), &in_z = reference.layout();
-  std::ostringstream text;
-  text.precision(17);
-  const auto look = [&](int k, int r) {
-    const double one = k < 0 ? 0 : y[k], other = r < 0 ? 0 : z[r];
-    if (!text.str().empty() || same_bits(one, other)) return;
-    text << (k < 0 ? name_of_number(reference, r) : name_of_number(kernel, k)) << ": kernel " << one << ", reference "
-         << other;
-  };
-  if (y.size() != kernel.size() || z.size() != reference.size()) return "the size of a state";
-  for (int k = 0; k < in_y.first_spring; ++k) look(k, k);
-  for (int slot = 0; slot < std::max(in_y.spring_count, in_z.spring_count); ++slot) {
-    look(slot < in_y.spring_count ? in_y.spring_of(slot) : -1, slot < in_z.spring_count ? in_z.spring_of(slot) : -1);
-  }
-  for (int k = 0; k < in_y.dummy_slots; ++k) look(in_y.first_dummy() + k, in_z.first_dummy() + k);
-  for (int k = 0; in_y.keeps_ledger && k < ledger_entries; ++k) look(in_y.ledger_of(k), in_z.ledger_of(k));
-  return text.str();
-}
-
-inline std::string difference(const DiscreteState& kernel, const DiscreteState& reference) {
-  if (kernel.torn != reference.torn) return "which links are torn";
-  if (kernel.jumps != reference.jumps) return "the number of jumps";
-  if (kernel.held.size() != reference.held.size())
-    return "how many contacts hold a slot: kernel " + std::to_string(kernel.held.size()) + ", reference " +
-           std::to_string(reference.held.size());
-  for (std::size_t k = 0; k < kernel.held.size(); ++k) {
-    const auto &one = kernel.held[k], &other = reference.held[k];
-    if (one.kind == other.kind && one.a == other.a && one.b == other.b && one.slot == other.slot &&
-        one.near_at == other.near_at)
-      continue;
-    std::ostringstream text;
-    text << "who holds a slot: kernel " << contact_kind_names[one.kind] << ' ' << one.a << ' ' << one.b << " slot "
-         << one.slot << ", reference " << contact_kind_names[other.kind] << ' ' << other.a << ' ' << other.b << " slot "
-         << other.slot;
-    return text.str();
-  }
-  return {};
-}
-
-inline std::string difference(const Contact& one, const Contact& other) {
-  const auto numbers = [](const Contact& c) {
-    return std::vector<double>{c.share,
-                               c.nx,
-                               c.ny,
-                               c.arm_a,
-                               c.arm_b,
-                               c.vx,
-                               c.vy,
-                               c.spin_a,
-                               c.spin_b,
-                               c.touch.overlap,
-                               c.touch.approach,
-                               c.touch.slip,
-                               c.touch.spring,
-                               c.touch.spin,
-                               c.touch.reduced_radius,
-                               c.touch.reduced_mass,
-                               c.force.elastic,
-                               c.force.normal,
-                               c.force.tangential,
-                               c.force.moment,
-                               c.force.stiffness,
-                               c.force.shear_stiffness,
-                               c.force.shear_viscosity,
-                               c.fx,
-                               c.fy,
-                               c.torque_a,
-                               c.torque_b};
-  };
-  const std::vector<double> a = numbers(one), b = numbers(other);
-  std::ostringstream text;
-  text.precision(17);
-  if (one.id.kind != other.id.kind || one.id.a != other.id.a || one.id.b != other.id.b || one.law != other.law ||
-      one.slot != other.slot || one.segment != other.segment)
-    text << "another contact, law, slot or segment";
-  for (std::size_t k = 0; k < a.size() && text.str().empty(); ++k) {
-    if (a[k] != b[k] && !same_bits(a[k], b[k]))
-      text << "number " << k << " of it: kernel " << a[k] << ", reference " << b[k];
-  }
-  return text.str();
-}
 
 class BothSolvers {
  public:

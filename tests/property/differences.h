@@ -1,0 +1,139 @@
+// The first number in which two states of one scene differ, and whose it is.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "run/system.h"
+
+namespace furrow::test {
+
+// What the two sides are called.
+struct Sides {
+  std::string one = "kernel", other = "reference";
+};
+
+// What is not a number, of discs on one spot, is no number of either.
+inline bool same_bits(double one, double other) {
+  if (std::isnan(one) || std::isnan(other)) return std::isnan(one) && std::isnan(other);
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+}
+
+template <class Value>
+std::string differing(const std::string& what, const Sides& sides, const Value& one, const Value& other) {
+  std::ostringstream text;
+  text.precision(17);
+  text << what << ": " << sides.one << ' ' << one << ", " << sides.other << ' ' << other;
+  return text.str();
+}
+
+// "spring of slot 7, of disc 3 and wall 0"
+inline std::string name_of_spring(const System& system, int slot) {
+  const std::string name = "spring of slot " + std::to_string(slot);
+  for (const DiscreteState::Held& held : system.discrete_state().held) {
+    const ContactId contact{static_cast<ContactKind>(held.kind), held.a, held.b};
+    if (held.slot == slot) return name + ", of " + contact_name(system.parts(), contact);
+  }
+  return name;
+}
+
+// "vy of disc 3", "entry 2 of the ledger"
+inline std::string name_of_number(const System& system, int place) {
+  const Layout& at = system.layout();
+  const int bodies = at.bodies;
+  const char* names[] = {"x", "y", "vx", "vy"};
+  if (place < 4 * bodies) return std::string(names[place / bodies]) + " of " + system.parts().body_name(place % bodies);
+  if (place < at.first_spring) return "spin of " + system.parts().body_name(place - 4 * bodies);
+  if (place < at.first_dummy()) return name_of_spring(system, place - at.first_spring);
+  if (place < at.ledger_of(0)) return "dummy slot " + std::to_string(place - at.first_dummy());
+  return "entry " + std::to_string(place - at.ledger_of(0)) + " of the ledger";
+}
+
+// How much room there is for springs may differ, what they hold not. Empty if there is no difference.
+inline std::string difference(const System& one, const State& y, const System& other, const State& z,
+                              const Sides& sides = {}) {
+  const Layout &in_y = one.layout(), &in_z = other.layout();
+  std::string found;
+  const auto look = [&](int k, int r) {
+    const double left = k < 0 ? 0 : y[k], right = r < 0 ? 0 : z[r];
+    if (!found.empty() || same_bits(left, right)) return;
+    found = differing(k < 0 ? name_of_number(other, r) : name_of_number(one, k), sides, left, right);
+  };
+  if (y.size() != one.size() || z.size() != other.size()) return "the size of a state";
+  for (int k = 0; k < in_y.first_spring; ++k) look(k, k);
+  for (int slot = 0; slot < std::max(in_y.spring_count, in_z.spring_count); ++slot) {
+    look(slot < in_y.spring_count ? in_y.spring_of(slot) : -1, slot < in_z.spring_count ? in_z.spring_of(slot) : -1);
+  }
+  for (int k = 0; k < in_y.dummy_slots; ++k) look(in_y.first_dummy() + k, in_z.first_dummy() + k);
+  for (int k = 0; in_y.keeps_ledger && k < ledger_entries; ++k) look(in_y.ledger_of(k), in_z.ledger_of(k));
+  return found;
+}
+
+inline std::string difference(const DiscreteState& one, const DiscreteState& other, const Sides& sides = {}) {
+  const auto as_text = [](const DiscreteState::Held& held) {
+    return std::string(contact_kind_names[held.kind]) + ' ' + std::to_string(held.a) + ' ' + std::to_string(held.b) +
+           " slot " + std::to_string(held.slot) + " near at jump " + std::to_string(held.near_at);
+  };
+  for (std::size_t k = 0; k < std::max(one.torn.size(), other.torn.size()); ++k) {
+    const auto link = [k](const std::vector<int>& torn) { return k < torn.size() ? torn[k] : -1; };
+    if (link(one.torn) != link(other.torn))
+      return differing("the next torn link", sides, link(one.torn), link(other.torn));
+  }
+  if (one.jumps != other.jumps) return differing("the number of jumps", sides, one.jumps, other.jumps);
+  for (std::size_t k = 0; k < std::min(one.held.size(), other.held.size()); ++k) {
+    const std::string left = as_text(one.held[k]), right = as_text(other.held[k]);
+    if (left != right) return differing("who holds a slot", sides, left, right);
+  }
+  if (one.held.size() != other.held.size())
+    return differing("how many contacts hold a slot", sides, one.held.size(), other.held.size());
+  return {};
+}
+
+inline std::string difference(const Contact& one, const Contact& other) {
+  const auto numbers = [](const Contact& c) {
+    return std::vector<double>{c.share,
+                               c.nx,
+                               c.ny,
+                               c.arm_a,
+                               c.arm_b,
+                               c.vx,
+                               c.vy,
+                               c.spin_a,
+                               c.spin_b,
+                               c.touch.overlap,
+                               c.touch.approach,
+                               c.touch.slip,
+                               c.touch.spring,
+                               c.touch.spin,
+                               c.touch.reduced_radius,
+                               c.touch.reduced_mass,
+                               c.force.elastic,
+                               c.force.normal,
+                               c.force.tangential,
+                               c.force.moment,
+                               c.force.stiffness,
+                               c.force.shear_stiffness,
+                               c.force.shear_viscosity,
+                               c.fx,
+                               c.fy,
+                               c.torque_a,
+                               c.torque_b};
+  };
+  const std::vector<double> a = numbers(one), b = numbers(other);
+  std::ostringstream text;
+  text.precision(17);
+  if (one.id.kind != other.id.kind || one.id.a != other.id.a || one.id.b != other.id.b || one.law != other.law ||
+      one.slot != other.slot || one.segment != other.segment)
+    text << "another contact, law, slot or segment";
+  for (std::size_t k = 0; k < a.size() && text.str().empty(); ++k) {
+    if (a[k] != b[k] && !same_bits(a[k], b[k]))
+      text << "number " << k << " of it: kernel " << a[k] << ", reference " << b[k];
+  }
+  return text.str();
+}
+
+}  // namespace furrow::test
