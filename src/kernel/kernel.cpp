@@ -6,7 +6,7 @@
 #include "system/floating_point.h"
 
 namespace furrow {
-Kernel::Kernel(std::shared_ptr<const Parts> parts, const Search& search)
+Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
     : Solver(parts, make_layout(*parts)), search_(*parts, search) {
   const DefaultFloatingPoint environment;
   slots_.unused = initial_discrete_state(layout_).unused;

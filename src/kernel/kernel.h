@@ -20,7 +20,7 @@ namespace furrow {
 // floating-point environment: rounding to nearest, no traps (see floating_point.h).
 class Kernel final : public Solver {
  public:
-  Kernel(std::shared_ptr<const Parts> parts, const Search& search);
+  Kernel(const std::shared_ptr<const Parts>& parts, const Search& search);
 
   std::unique_ptr<Solver> clone() const override { return std::make_unique<Kernel>(*this); }
   void flow(double t, const State& y, State& dydt) const override;
@@ -126,7 +126,8 @@ class Kernel final : public Solver {
   struct Lock {
     Lock() = default;
     Lock(const Lock& /*other*/) {}
-    Lock& operator=(const Lock& /*other*/) { return *this; }
+    Lock& operator=(const Lock& /*other*/) { return *this; }  // NOLINT(cert-oop54-cpp): nothing is copied
+    ~Lock() = default;
     std::mutex mutex;
   };
   mutable Lock lock_;

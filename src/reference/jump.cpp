@@ -131,7 +131,7 @@ std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& 
 
 bool Reference::torn(int link) const { return is_torn(discrete_, link); }
 
-Reference::Reference(std::shared_ptr<const Parts> parts)
+Reference::Reference(const std::shared_ptr<const Parts>& parts)
     : Solver(parts, make_layout(*parts)), discrete_(initial_discrete_state(layout_)) {}
 
 // First slots, then springs, then the survey, then tears: springs are cut to the limit of a torn border at the next

@@ -62,7 +62,7 @@ void flow(const Moment& now, State& rates);
 
 class Reference final : public Solver {
  public:
-  explicit Reference(std::shared_ptr<const Parts> parts);
+  explicit Reference(const std::shared_ptr<const Parts>& parts);
 
   std::unique_ptr<Solver> clone() const override { return std::make_unique<Reference>(*this); }
   void flow(double t, const State& y, State& dydt) const override;

@@ -65,11 +65,20 @@ std::string scenes_of(const fs::path& tree) {
   return text;
 }
 
-// All of the state path but lines of comment.
+}  // namespace
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("cannot read " + file.string());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
 std::string code_of(const fs::path& tree) {
   std::set<fs::path> files;  // sorted
-  for (const char* part : {"physics", "scene", "system", "methods"}) {
-    for (const auto& entry : fs::directory_iterator(tree / "src" / part)) files.insert(entry.path());
+  for (const auto& entry : fs::recursive_directory_iterator(tree / "src")) {
+    if (entry.is_regular_file()) files.insert(entry.path());
   }
   std::string code;
   for (const fs::path& file : files) {
@@ -80,16 +89,6 @@ std::string code_of(const fs::path& tree) {
     }
   }
   return code;
-}
-
-}  // namespace
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error("cannot read " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 std::vector<Page> pages_of(const Places& places, const std::set<std::string>& methods,

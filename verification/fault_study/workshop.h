@@ -32,6 +32,8 @@ struct Places {
 };
 
 std::string text_of(const std::filesystem::path& file);
+// All lines of the files under src/ of a tree, but for comments: what a kept verdict depends on.
+std::string code_of(const std::filesystem::path& tree);
 // `methods` are names of pages, `costly` of tests.
 std::vector<Page> pages_of(const Places& places, const std::set<std::string>& methods,
                            const std::set<std::string>& costly);
