@@ -8,6 +8,7 @@
 #include "output/run_files.h"
 #include "program/exit_code.h"
 #include "program/progress.h"
+#include "scene/keys.h"
 #include "scene/scene.h"
 
 namespace furrow {
@@ -16,8 +17,9 @@ struct RunOptions {
   std::string scene;
   // What changes the scene, as it was given: what the texts must be stands in the scene's schema.
   std::optional<std::string> method, step, until, locate, threads, solver;
-  std::string resume;     // directory of a run to go on with; empty: begin
-  std::string directory;  // empty: runs/<name of the scene>
+  std::vector<std::string> set;  // "time.step=1e-4"
+  std::string resume;            // directory of a run to go on with; empty: begin
+  std::string directory;         // empty: runs/<name of the scene>
 };
 
 // The scene with the changes from the command line, judged as it will run. Throws SceneError with all that is wrong.
@@ -33,5 +35,16 @@ int run_command(const RunOptions& options);
 RunOutcome run_one(const RunOptions& options, Progress& progress);
 int exit_code_of(const RunOutcome& outcome);
 int explain_command(const RunOptions& options);
+
+struct KeysOptions {
+  std::vector<std::string> patterns;  // empty: all keys
+  bool json = false, markdown = false, schema = false;
+};
+int keys_command(const KeysOptions& options);
+
+// The keys as a JSON list, as a page, and all of them as JSON Schema, draft 2020-12.
+std::string keys_as_json(const std::vector<SceneKey>& keys);
+std::string keys_as_page(const std::vector<SceneKey>& keys);
+std::string scene_schema();
 
 }  // namespace furrow

@@ -1,7 +1,7 @@
 // The scene that a command is asked for: the file, then the options, then one judgement of what they make together.
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "methods/method.h"
 #include "program/commands.h"
@@ -9,31 +9,47 @@
 #include "scene/packing.h"
 #include "scene/read.h"
 #include "scene/set_key.h"
+#include "scene/utf8.h"
 #include "scene/wording.h"
 
 namespace furrow {
 namespace {
 
 struct Change {
-  const char* option;
-  const char* path;
-  const std::optional<std::string>& text;
+  std::string option, path, text;
 };
 
-std::array<Change, 6> changes_of(const RunOptions& o) {
-  return {{{"--method", "time.method", o.method},
-           {"--dt", "time.step", o.step},
-           {"--until", "time.end", o.until},
-           {"--locate", "time.locate", o.locate},
-           {"--threads", "search.threads", o.threads},
-           {"--solver", "time.solver", o.solver}}};
+Change change_of(const std::string& set) {
+  const std::size_t equals = std::min(set.find('='), set.size());
+  const std::string path = set.substr(0, equals);
+  if (path.empty() || equals == set.size())
+    throw std::invalid_argument("--set: must be KEY=VALUE, as in time.step=1e-4, not " + in_quotes(visible(set)));
+  return {"--set " + path, path, set.substr(equals + 1)};
+}
+
+std::vector<Change> changes_of(const RunOptions& o) {
+  std::vector<Change> changes;
+  const auto add = [&](const char* option, const char* path, const std::optional<std::string>& text) {
+    if (text) changes.push_back({option, path, *text});
+  };
+  for (const std::string& set : o.set) changes.push_back(change_of(set));
+  add("--method", "time.method", o.method);
+  add("--dt", "time.step", o.step);
+  add("--until", "time.end", o.until);
+  add("--locate", "time.locate", o.locate);
+  add("--threads", "search.threads", o.threads);
+  add("--solver", "time.solver", o.solver);
+  return changes;
 }
 
 // What the schedule of the file cannot be under another end or step follows it: a run to an earlier end has no pictures
 // later than that, one with a longer step no rows between steps.
-void adapt_schedule(const RunOptions& options, Scene& scene) {
-  if (options.until) std::erase_if(scene.output.frames, [&](double t) { return t > scene.time.end; });
-  if (options.step && std::isfinite(scene.time.step))
+void adapt_schedule(const std::vector<Change>& changes, Scene& scene) {
+  const auto changed = [&](const char* path) {
+    return std::any_of(changes.begin(), changes.end(), [&](const Change& c) { return c.path == path; });
+  };
+  if (changed("time.end")) std::erase_if(scene.output.frames, [&](double t) { return t > scene.time.end; });
+  if (changed("time.step") && std::isfinite(scene.time.step))
     scene.output.interval = std::max(scene.output.interval, scene.time.step);
 }
 
@@ -57,13 +73,13 @@ void judge_fitness(SceneFile& file) {
 
 SceneFile changed_file(const RunOptions& options) {
   SceneFile file = SceneFile::read(options.scene);
-  for (const auto& [option, path, text] : changes_of(options)) {
-    if (!text) continue;
-    const std::string fault = set_key(file.scene, path, *text);
+  const std::vector<Change> changes = changes_of(options);
+  for (const auto& [option, path, text] : changes) {
+    const std::string fault = set_key(file.scene, path, text);
     if (!fault.empty()) file.option_fault(option, fault);
     file.set_by_option(path, option);
   }
-  adapt_schedule(options, file.scene);
+  adapt_schedule(changes, file.scene);
   judge_method(file);
   file.judge();
   file.throw_if_wrong();

@@ -34,10 +34,15 @@ int methods_command() {
 void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
   static RunOptions options;
   static std::vector<std::string> scenes;
+  static KeysOptions keys_options;
   const auto add_overrides = [](CLI::App* command) {
     command->add_option("scene", options.scene, "scene file (TOML)")->required()->type_name("");
     command->add_option("--method", options.method, "integration method, see furrow methods")->type_name("NAME");
     command->add_option("--dt", options.step, "time step; rows are written no oftener")->type_name("SECONDS");
+    command->add_option("--set", options.set, "a key of the scene, as in --set disc[0].radius=0.02; see furrow keys")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
   };
   auto* run = app.add_subcommand("run", "run a scene and write its files; run.json goes to standard output too");
   add_overrides(run);
@@ -63,10 +68,19 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
 
   auto* methods = app.add_subcommand("methods", "list the integration methods");
 
+  auto* keys = app.add_subcommand("keys", "the keys of scene files: meaning, unit, range, default, example");
+  keys->add_option("patterns", keys_options.patterns, "parts of their names (default: all keys)")->type_name("");
+  auto* json = keys->add_flag("--json", keys_options.json, "as JSON");
+  auto* markdown = keys->add_flag("--markdown", keys_options.markdown, "as a page")->excludes(json);
+  keys->add_flag("--schema", keys_options.schema, "all of them as JSON Schema, for editors and validators")
+      ->excludes(json)
+      ->excludes(markdown);
+
   all.insert(all.end(), {{run, [] { return run_command(options); }},
                          {check, [] { return check_command(scenes); }},
                          {explain, [] { return explain_command(options); }},
-                         {methods, methods_command}});
+                         {methods, methods_command},
+                         {keys, [] { return keys_command(keys_options); }}});
 }
 
 }  // namespace furrow

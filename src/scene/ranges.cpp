@@ -31,14 +31,12 @@ class RangeChecker {
  public:
   RangeChecker(const Place& place, Findings& found) : place_(place), found_(found) {}
 
-  void operator()(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
-    check({&place_, key}, field, unit, range);
+  void operator()(const char* key, auto& field, const Key& about) {
+    check({&place_, key}, field, about.unit, about.range);
   }
-  void required(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
-    (*this)(key, field, unit, range);
-  }
+  void required(const char* key, auto& field, const Key& about) { (*this)(key, field, about); }
   template <class Enum>
-  void choice(const char*, Enum&, std::initializer_list<std::pair<const char*, Enum>>) {}
+  void choice(const char*, Enum&, std::initializer_list<Choice<Enum>>, std::string_view) {}
 
  private:
   void check(const Place&, bool, std::string_view, const Range&) {}

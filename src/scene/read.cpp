@@ -12,7 +12,6 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <system_error>
 #include <type_traits>
@@ -102,24 +101,24 @@ class TableReader {
   TableReader(const toml::table& table, std::string path, FileReader& file)
       : table_(table), path_(std::move(path)), file_(file) {}
 
-  void operator()(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
-    if (const toml::node* node = find(key)) read({*node, path_of(key), unit, range}, field);
+  void operator()(const char* key, auto& field, const Key& about) {
+    if (const toml::node* node = find(key)) read({*node, path_of(key), about.unit, about.range}, field);
   }
 
-  void required(const char* key, auto& field, std::string_view unit = "", const Range& range = {}) {
-    (*this)(key, field, unit, range);
+  void required(const char* key, auto& field, const Key& about) {
+    (*this)(key, field, about);
     if (table_.contains(key)) return;
-    file_.unread(table_.source().begin, path_of(key), "missing, but required" + in_brackets(unit));
+    file_.unread(table_.source().begin, path_of(key), "missing, but required" + in_brackets(about.unit));
   }
 
   template <class Enum>
-  void choice(const char* key, Enum& field, std::initializer_list<std::pair<const char*, Enum>> choices) {
+  void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     const toml::node* node = find(key);
     if (!node) return;
     auto word = node->value_exact<std::string>();
     if (word) file_.whole(*node, *word);
     std::vector<std::string> words;
-    for (const auto& [name, value] : choices) {
+    for (const auto& [name, value, meaning] : choices) {
       if (word == name) return static_cast<void>(field = value);
       words.emplace_back(name);
     }
@@ -180,10 +179,7 @@ class TableReader {
   void read(const Entry& e, Integer& field) {
     if (!e.node.is_integer()) return wrong_type(e, "an integer");
     const std::int64_t number = *e.node.value_exact<std::int64_t>();
-    constexpr auto largest = static_cast<double>(std::numeric_limits<Integer>::max());
-    Range range = e.range;
-    if (range.high > largest) range.high = largest, range.high_open = false;
-    if (accepted(range, e, static_cast<double>(number))) field = static_cast<Integer>(number);
+    if (accepted(integers_of<Integer>(e.range), e, static_cast<double>(number))) field = static_cast<Integer>(number);
   }
 
   void read(const Entry& e, Vec2& field) {

@@ -1,4 +1,4 @@
-// A scene as plain data. The fields here are the keys of a scene file (schema.h lists them with unit and range).
+// A scene as plain data. The fields here are the keys of a scene file; schema.h says what each means, with its range.
 // SI units; x to the right, y up, gravity along -y.
 #pragma once
 

@@ -13,8 +13,12 @@ SceneError::SceneError(std::vector<std::string> messages)
 
 // The option that set the value or one that the finding depends on; empty if all of them stand in the file.
 std::string SceneFile::option_of(const Finding& finding) const {
-  const auto own = options_.find(finding.path);
-  if (own != options_.end()) return own->second;
+  for (std::string path = finding.path; !path.empty();) {  // an option may have set the list that it is in
+    const auto own = options_.find(path);
+    if (own != options_.end()) return own->second;
+    const std::size_t end = path.find_last_of(".[");
+    path.resize(end == std::string::npos ? 0 : end);
+  }
   for (const std::string& other : finding.others) {
     const auto set = options_.find(other);
     if (set != options_.end()) return set->second + ": " + finding.path;

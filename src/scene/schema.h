@@ -1,184 +1,121 @@
-// Every key of a scene file, once: its name, field, unit and accepted range. The reader, the canonical writer and the
-// list of keys all walk these functions, so a key cannot be known to one of them and not to another.
+// Every key of a scene file, once: its name, field, unit, accepted range, an example and what it means. The reader, the
+// canonical writer, `furrow keys` and the JSON Schema of scenes all walk these functions, so a key cannot be known to
+// one of them and not to another. The default is that of the struct in scene.h.
 //
-// A visitor is called as  v(key, field, unit, range)  for a key that may be left out (the struct's default holds),
-// v.required(key, field, unit, range)  for one that may not, both without unit and range where any value will do, and
-// v.choice(key, field, {{"word", value}, ...})  for an enum.
+// A visitor is called as  v(name, field, key)  for a key that may be left out (the struct's default holds),
+// v.required(name, field, key)  for one that may not, and
+// v.choice(name, field, {{"word", value, meaning}, ...}, meaning)  for an enum.
 #pragma once
 
-#include "scene/range.h"
-#include "scene/scene.h"
+#include "scene/schema_parts.h"
 
 namespace furrow {
 
-inline constexpr Range finite{-infinity, infinity, true, true};
-inline constexpr Range positive{0, infinity, true, true};
-inline constexpr Range not_negative{0, infinity, false, true};
-
 void describe(auto& v, Model& m) {
-  v("gravity", m.gravity, "m/s^2", finite);
-  v.choice("disc_mass", m.disc_mass, {{"disc", DiscMass::disc}, {"sphere", DiscMass::sphere}});
-  v("disc_depth", m.disc_depth, "m", positive);
-  v.choice("lever", m.lever, {{"overlap", Lever::overlap}, {"radius", Lever::radius}});
-  v("pull", m.pull);
-  v("rolling_smoothing", m.rolling_smoothing, "rad/s", positive);
+  v("gravity", m.gravity, {"m/s^2", finite, "1.62", "Acceleration of free fall, along -y."});
+  v.choice("disc_mass", m.disc_mass,
+           {{"disc", DiscMass::disc, "cylinders: m = rho pi R^2 b, I = m R^2 / 2"},
+            {"sphere", DiscMass::sphere, "spheres: m = 4/3 pi rho R^3, I = 2/5 m R^2"}},
+           "The body whose mass and moment of inertia a disc has.");
+  v("disc_depth", m.disc_depth,
+    {"m", positive, "0.5", "Length b of the cylinders; without effect where disc_mass is sphere."});
+  v.choice("lever", m.lever,
+           {{"overlap", Lever::overlap, "to the contact point, between the two surfaces"},
+            {"radius", Lever::radius, "the whole radius"}},
+           "Moment arm of the tangential force.");
+  v("pull", m.pull,
+    plain("true", "Whether the viscous force of a contact may exceed the elastic one, so that the contact pulls."));
+  v("rolling_smoothing", m.rolling_smoothing,
+    {"rad/s", positive, "0.5",
+     "Relative spin w0 below which rolling friction fades, by w / sqrt(w^2 + w0^2). Smaller values need smaller "
+     "steps."});
 }
 
 void describe(auto& v, Timing& t) {
-  v.required("end", t.end, "s", positive);
-  v.required("step", t.step, "s", positive);
-  v("method", t.method);
-  v("relative_tolerance", t.relative_tolerance, "-", Range{1e-14, 0.1});  // below it round-off is all that is left
-  v("absolute_tolerance", t.absolute_tolerance, "m, m/s, rad/s", Range{1e-18, 1});
-  v("max_step", t.max_step, "s", positive);
-  v.choice("locate", t.locate, {{"none", Locate::none}, {"tears", Locate::tears}, {"all", Locate::all}});
-  v.choice("solver", t.solver, {{"kernel", SolverKind::kernel}, {"reference", SolverKind::reference}});
+  v.required("end", t.end, {"s", positive, "1.2", "End of the run; it begins at 0, when the scene has settled."});
+  v.required("step", t.step,
+             {"s", positive, "1e-4", "The time step; of a method that controls its step the first one that it tries."});
+  v("method", t.method, plain("\"verlet\"", "The integration method; `furrow methods` lists them."));
+  v("relative_tolerance", t.relative_tolerance,
+    {"-", Range{1e-14, 0.1}, "1e-8", "Error of a step, of the state. For methods that control their step."});
+  v("absolute_tolerance", t.absolute_tolerance,
+    {"m, m/s, rad/s", Range{1e-18, 1}, "1e-12", "Error of a step. For methods that control their step."});
+  v("max_step", t.max_step, {"s", positive, "1e-4", "Longest step of a method that controls its step."});
+  v.choice("locate", t.locate,
+           {{"none", Locate::none, "a tear is noticed at the end of its step, as in the paper"},
+            {"tears", Locate::tears, "a step ends where a link tears"},
+            {"all", Locate::all, "and where a contact begins, ends or slips: for scenes with few contacts"}},
+           "Events at which a step ends.");
+  v.choice("solver", t.solver,
+           {{"kernel", SolverKind::kernel, "the fast one"},
+            {"reference", SolverKind::reference, "the one that is there to be read; many times slower"}},
+           "The solver. Both give the same bits.");
 }
 
 void describe(auto& v, Search& s) {
-  v("skin", s.skin, "m", not_negative);
-  v("cell_size", s.cell_size, "m", not_negative);
-  v("threads", s.threads, "", Range{1, 64});
-}
-
-void describe(auto& v, Material& m) {
-  v.required("name", m.name);
-  v("density", m.density, "kg/m^3", positive);
-  v("young", m.young, "Pa", positive);
-  v("poisson", m.poisson, "-", Range{-1, 0.5, true, false});
-  v("shear", m.shear, "Pa", positive);
-  v("rigid", m.rigid);
-}
-
-// What a pair of materials may say for itself, and [contact] for all others.
-void describe_coefficients(auto& v, auto& c) {
-  v("damping_factor", c.damping_factor, "-", not_negative);
-  v("restitution", c.restitution, "-", Range{0, 1, true, false});
-  v("friction", c.friction, "-", not_negative);
-  v("rolling_friction", c.rolling_friction, "-", not_negative);
-}
-
-void describe(auto& v, ContactPair& p) {
-  v.required("materials", p.materials);
-  describe_coefficients(v, p);
-}
-
-void describe(auto& v, ContactParameters& c) {
-  describe_coefficients(v, c);
-  v("pair", c.pair);
-}
-
-void describe(auto& v, Disc& d) {
-  v.required("position", d.position, "m", finite);
-  v.required("radius", d.radius, "m", positive);
-  v("velocity", d.velocity, "m/s", finite);
-  v("spin", d.spin, "rad/s", finite);
-  v.required("material", d.material);
-}
-
-void describe(auto& v, Packing& p) {
-  v.required("count", p.count, "", Range{1, 10'000'000});
-  v.required("radius_min", p.radius_min, "m", positive);
-  v.required("radius_max", p.radius_max, "m", positive);
-  v.required("lower_left", p.lower_left, "m", finite);
-  v.required("upper_right", p.upper_right, "m", finite);
-  v.required("material", p.material);
-  v("seed", p.seed, "", not_negative);
+  v("skin", s.skin,
+    {"m", not_negative, "0.002",
+     "Added to the reach of the neighbour list, which is then built less often. 0: chosen from the radii."});
+  v("cell_size", s.cell_size,
+    {"m", not_negative, "0.05", "Side of a search cell. 0: the reach of the neighbour list."});
+  v("threads", s.threads, {"", Range{1, 64}, "2", "Threads in one step, for beds of more than 4096 discs."});
 }
 
 void describe(auto& v, Settle& s) {
-  v("speed", s.speed, "m/s", positive);
-  v("hold", s.hold, "s", not_negative);
-  v("step", s.step, "s", positive);
-  v("limit", s.limit, "s", positive);
-  v("loose", s.loose, "-", Range{0, 1, false, true});
-}
-
-void describe(auto& v, Wall& w) {
-  v("name", w.name);
-  v.required("point", w.point, "m", finite);
-  v.required("normal", w.normal, "-", finite);
-  v.required("material", w.material);
-}
-
-void describe(auto& v, Plate& p) {
-  v("name", p.name);
-  v.required("left_edge", p.left_edge, "m", finite);
-  v("lower_edge", p.lower_edge, "m", finite);
-  v("working_depth", p.working_depth, "m", finite);
-  v.required("width", p.width, "m", positive);
-  v.required("height", p.height, "m", positive);
-  v.required("velocity", p.velocity, "m/s", finite);
-  v.required("material", p.material);
-}
-
-void describe(auto& v, LinkKind& k) {
-  v.required("stiffness", k.stiffness, "N/m", not_negative);
-  v.required("damping", k.damping, "N s/m", not_negative);
-  v("strength", k.strength, "N", Range{0, infinity, true, false});
-}
-
-void describe(auto& v, NodeSetting& n) {
-  v.required("row", n.row, "", Range{0, 1'000'000});
-  v.required("column", n.column, "", Range{0, 1'000'000});
-  v("displacement", n.displacement, "m", finite);
-  v("velocity", n.velocity, "m/s", finite);
-  v("force", n.force, "N", finite);
-}
-
-void describe(auto& v, Lattice& l) {
-  v("name", l.name);
-  v.required("origin", l.origin, "m", finite);
-  v.required("rows", l.rows, "", Range{1, 100'000});
-  v.required("columns", l.columns, "", Range{1, 100'000});
-  v.required("spacing", l.spacing, "m", positive);
-  v.required("node_mass", l.node_mass, "kg", positive);
-  v.required("material", l.material);
-  v("gravity", l.gravity);
-  v("fixed_rows", l.fixed_rows, "", not_negative);
-  v("fixed_columns", l.fixed_columns, "", not_negative);
-  v.choice("damper", l.damper, {{"axial", Damper::axial}, {"full", Damper::full}});
-  v.choice("tear", l.tear, {{"tension", TearRule::tension}, {"magnitude", TearRule::magnitude}});
-  v("auxiliary_points", l.auxiliary_points, "", Range{0, 1000});
-  v("contact_radius", l.contact_radius, "m", positive);
-  v("structural", l.structural);
-  v("shear", l.shear);
-  v("bending", l.bending);
-  v("node", l.node);
+  v("speed", s.speed,
+    {"m/s", positive, "1e-3", "The scene has settled when for the time `hold` no disc and no node was faster."});
+  v("hold", s.hold, {"s", not_negative, "0.2", "How long everything must be slow."});
+  v("step", s.step, {"s", positive, "5e-5", "Time step of the settling. Left out: time.step."});
+  v("limit", s.limit, {"s", positive, "40.0", "A scene that has not settled by then is an error."});
+  v("loose", s.loose,
+    {"-", Range{0, 1, false, true}, "0.001",
+     "Share of discs and nodes that may be faster: of very many some always are. Left out: none."});
 }
 
 void describe(auto& v, Output& o) {
-  v("interval", o.interval, "s", positive);
-  v("frames", o.frames, "s", not_negative);
-  v("energy", o.energy);
-  v("checkpoint", o.checkpoint, "s", positive);
+  v("interval", o.interval,
+    {"s", positive, "0.01", "Time between rows of plate_force.csv, energy.csv and motion.csv; at least time.step."});
+  v("frames", o.frames,
+    {"s", not_negative, "[0.0, 0.5]", "Times of the pictures in frames/, each later than the one before it."});
+  v("energy", o.energy, plain("false", "Whether the energy ledger is kept and watched."));
+  v("checkpoint", o.checkpoint,
+    {"s", positive, "0.1",
+     "Model time between checkpoints, from which a run can be resumed. Left out: at the start and at the end."});
 }
 
 void describe(auto& v, Allow& a) {
-  v("energy_made", a.energy_made, "-", positive);
-  v("energy_lost", a.energy_lost, "-", positive);
-  v("overlap", a.overlap, "-", positive);
-  v("step", a.step, "-", positive);
-  v("behind_walls", a.behind_walls);
-  v("through_plates", a.through_plates);
-  v("through_lattices", a.through_lattices);
+  v("energy_made", a.energy_made,
+    {"-", positive, "0.2", "Residual of the ledger, of all energy that the scene was given, where energy is made."});
+  v("energy_lost", a.energy_lost, {"-", positive, "0.5", "The same where energy is lost."});
+  v("overlap", a.overlap, {"-", positive, "0.5", "Greatest overlap, of the smaller radius."});
+  v("step", a.step, {"-", positive, "0.8", "Time step, of the largest stable one."});
+  v("behind_walls", a.behind_walls, plain("true", "Whether centres of discs may be behind a wall."));
+  v("through_plates", a.through_plates, plain("true", "Whether centres may cross the middle of a plate."));
+  v("through_lattices", a.through_lattices, plain("true", "Whether centres may cross the border of a lattice."));
 }
 
 void describe(auto& v, Scene& s) {
-  v.required("title", s.title);
-  v("model", s.model);
-  v.required("time", s.time);
-  v("search", s.search);
-  v("contact", s.contact);
-  v("material", s.material);
-  v("disc", s.disc);
-  v("packing", s.packing);
-  v("settle", s.settle);
-  v("wall", s.wall);
-  v("plate", s.plate);
-  v("lattice", s.lattice);
-  v("output", s.output);
-  v("allow", s.allow);
+  v.required("title", s.title, plain("\"A disc falls on a floor\"", "What happens, in one sentence."));
+  v("model", s.model, table("Gravity, and how the open points of the model are read."));
+  v.required("time", s.time, table("When the run ends, and how it is integrated."));
+  v("search", s.search, table("The search for contacts. It changes the time of a run, not its bits."));
+  v("contact", s.contact, table("Damping and friction of all contacts."));
+  v("material", s.material,
+    table("Elastic constants and density, under a name. Young's modulus and one of poisson and shear are required "
+          "unless it is rigid."));
+  v("disc", s.disc, table("One disc."));
+  v("packing", s.packing,
+    table("Discs placed at random in a rectangle, without overlap. Their radii are uniform between the two limits."));
+  v("settle", s.settle,
+    table("Before t = 0 the scene runs with plates at rest and links that do not tear, until everything is slow."));
+  v("wall", s.wall, table("A fixed half-plane that discs and nodes stay out of."));
+  v("plate", s.plate, table("A rigid rectangle that moves with a constant velocity."));
+  v("lattice", s.lattice,
+    table(
+        "Rows by columns of point masses joined by springs and dampers; row 0 is the lowest, column 0 the leftmost."));
+  v("output", s.output, table("What is written, and how often."));
+  v("allow", s.allow,
+    table("What this scene is known to do beyond the validity of its laws. Up to there it neither warns nor ends."));
 }
 
 }  // namespace furrow

@@ -17,15 +17,15 @@ namespace {
 // of schema.h.
 class Shaker {
  public:
-  void operator()(const char* key, auto& field, std::string_view = "", const Range& = {}) {
+  void operator()(const char* key, auto& field, const Key&) {
     key_ = key;
     shake(field);
   }
-  void required(const char* key, auto& field, std::string_view = "", const Range& = {}) { (*this)(key, field); }
+  void required(const char* key, auto& field, const Key& about) { (*this)(key, field, about); }
   template <class Enum>
-  void choice(const char* key, Enum& field, std::initializer_list<std::pair<const char*, Enum>> choices) {
+  void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     if (std::string(key) != "disc_mass")
-      field = (choices.begin() + *rc::gen::inRange<std::size_t>(0, choices.size()))->second;
+      field = (choices.begin() + *rc::gen::inRange<std::size_t>(0, choices.size()))->value;
   }
 
  private:

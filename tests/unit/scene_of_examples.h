@@ -1,0 +1,48 @@
+// Scenes made of the examples that the keys give: every table with its required keys, and one further key.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "scene/keys.h"
+
+namespace furrow::test {
+
+// Keys without which a table does not pass, though none of them is required by itself; a second material.
+inline std::vector<std::string> needed(const std::string& table, const std::string& changed) {
+  if (table == "material") return {"young", changed == "material.shear" ? "shear" : "poisson"};
+  if (table == "plate" && changed != "plate.working_depth") return {"lower_edge"};
+  return {};
+}
+
+inline std::string keys_of(const std::string& table, const SceneKey& changed, const std::string& value) {
+  if (changed.path == "material.rigid" && table == "material") return keys_of(table, {}, "");  // see the second one
+  const std::vector<std::string> also = needed(table, changed.path);
+  std::string text;
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table() != (table.empty() ? "" : table + '.') || key.type == SceneKey::Type::table) continue;
+    const bool given = key.required || std::find(also.begin(), also.end(), key.name()) != also.end();
+    if (key.path == changed.path && !value.empty())
+      text += key.name() + " = " + value + '\n';
+    else if (key.path != changed.path && given)
+      text += key.name() + " = " + key.example + '\n';
+  }
+  return text;
+}
+
+// The scene in which the key has this value, as TOML; empty: it is left out.
+inline std::string scene_with(const SceneKey& changed, const std::string& value) {
+  std::string text = keys_of("", changed, value);
+  for (const SceneKey& table : scene_keys()) {
+    if (table.type != SceneKey::Type::table) continue;
+    text += (table.list ? "[[" + table.path + "]]\n" : '[' + table.path + "]\n") + keys_of(table.path, changed, value);
+    if (table.path != "material") continue;
+    text += "[[material]]\nname = \"steel\"\n";
+    if (const std::string rigid = changed.path == "material.rigid" ? value : "true"; !rigid.empty())
+      text += "rigid = " + rigid + '\n';
+  }
+  return text;
+}
+
+}  // namespace furrow::test
