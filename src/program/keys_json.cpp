@@ -71,7 +71,7 @@ Json key_schema(const SceneKey& key) {
   for (const auto& [word, meaning] : key.words)
     json["description"] = json["description"].get<std::string>() + " \"" + word + "\": " + meaning + '.';
   if (const Json value = value_of(key.default_value); !value.is_null()) json["default"] = value;
-  if (!key.example.empty()) json["examples"] = {value_of(key.example)};
+  if (!key.example.empty()) json["examples"].push_back(value_of(key.example));
   const Json item = item_schema(key);
   json.update(key.list ? Json{{"type", "array"}, {"items", item}} : item);
   return json;

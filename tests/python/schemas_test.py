@@ -1,0 +1,192 @@
+"""The JSON Schemas of reference_data/schemas: every scene of the repository and every real output passes, and each of them
+with one field missing, unknown or of another type fails. Needs python3-jsonschema.
+
+Variables: FURROW, VERIFICATION_TESTS and GATHER are the programs that make the outputs.
+"""
+
+import copy
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import jsonschema
+
+source = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(source / "src/python"))
+import furrow
+
+SCENES = sorted([*source.glob("validation/scenes/*.toml"), *source.glob("tests/property/scenes/*.toml"),
+                 source / "benchmarks/rivals/scene.toml", source / "tests/fuzz/corpus/disc_on_wall.toml",
+                 source / "tests/fuzz/corpus/plate_far_off.toml"])
+FIRST = source / "validation/scenes/scenario_1.toml"
+
+
+def validator(name):
+    schema = json.loads((source / f"reference_data/schemas/{name}.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def places(value, path=()):
+    """The path of the value and of all that is in it."""
+    yield path
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        yield from places(inner, (*path, key))
+
+
+def at(value, path):
+    for key in path:
+        value = value[key]
+    return value
+
+
+def with_changed(value, path, change):
+    changed = copy.deepcopy(value)
+    change(at(changed, path[:-1]), path[-1])
+    return changed
+
+
+class Schemas(unittest.TestCase):
+
+    def passes(self, schema, value, what):
+        faults = [f"{'.'.join(map(str, e.absolute_path))}: {e.message}" for e in schema.iter_errors(value)]
+        self.assertEqual(faults, [], what)
+
+    def fails_where_it_is_wrong(self, schema, value, may_be_missing=lambda path: False):
+        """Every field of the value in turn: of another type, beside an unknown one, missing."""
+
+        def make_strange(holder, key):
+            holder[key] = {"strange": []}
+
+        def delete(holder, key):
+            del holder[key]
+
+        for path in places(value):
+            if isinstance(at(value, path), dict):
+                changed = copy.deepcopy(value)
+                at(changed, path)["unknown_field"] = 1
+                self.assertFalse(schema.is_valid(changed), f"an unknown field in {path}")
+            if path:
+                self.assertFalse(schema.is_valid(with_changed(value, path, make_strange)), f"another type of {path}")
+            if path and isinstance(path[-1], str) and not may_be_missing(path):
+                self.assertFalse(schema.is_valid(with_changed(value, path, delete)), f"without {path}")
+
+
+class OfScenes(Schemas):
+
+    def setUp(self):
+        self.schema = validator("scene")
+
+    def test_every_scene_of_the_repository_passes(self):
+        self.assertGreater(len(SCENES), 10)
+        for file in SCENES:
+            self.passes(self.schema, furrow.load(file), file)
+
+    def test_every_scene_with_a_wrong_or_unknown_key_fails(self):
+        required = {key["key"] for key in furrow.keys() if key["required"]}
+        for file in SCENES:
+            name = lambda path: ".".join(key for key in path if isinstance(key, str))
+            self.fails_where_it_is_wrong(self.schema, furrow.load(file), lambda path: name(path) not in required)
+
+    def test_what_no_reader_accepts_fails(self):
+        for name in ("missing_key", "misspelt_key", "out_of_range", "table_or_list", "unknown_word", "wrong_type"):
+            scene = furrow.load(source / f"tests/bad_input/{name}.toml")
+            self.assertFalse(self.schema.is_valid(scene), name)
+
+    def test_a_number_passes_where_the_reader_accepts_it(self):
+        """Each number of each scene becomes others; the reader's word is what check says of ranges and types. Whole ones stay
+        integers where one stood: to JSON Schema 1.0 is one, to the reader it is not."""
+        tried = []
+        for file in SCENES:
+            scene = furrow.load(file)
+            for path in places(scene):
+                kind = type(at(scene, path))
+                if kind in (int, float):
+                    tried += [with_changed(scene, path, lambda holder, key: holder.__setitem__(key, number))
+                              for number in (kind(-1), kind(0), 0.5, kind(1), kind(3e9))]
+        with tempfile.TemporaryDirectory() as place:
+            for k, scene in enumerate(tried):
+                (pathlib.Path(place) / f"{k}.toml").write_text(furrow.to_toml(scene))
+            names = [f"{k}.toml" for k in range(len(tried))]
+            said = subprocess.run([furrow.program(), "check", *names], cwd=place, capture_output=True, text=True).stderr
+        out_of_range = re.compile(r": (-?[0-9.e+]+ is outside \S+ <|must be an integer)")
+        refused = {int(line.split(".toml")[0]) for line in said.splitlines() if out_of_range.search(line)}
+        self.assertGreater(len(tried), 500)
+        self.assertGreater(len(refused), 50)
+        for k, scene in enumerate(tried):
+            self.assertEqual(self.schema.is_valid(scene), k not in refused, f"{said.splitlines()[:3]} {furrow.to_toml(scene)}")
+
+
+class OfRuns(Schemas):
+
+    def setUp(self):
+        self.schema = validator("run")
+
+    def outputs(self):
+        """Runs that end in every way."""
+        yield furrow.run(FIRST).json
+        yield furrow.run(FIRST, {"time.end": 0.1, "time.locate": "all", "output.energy": False}).json
+        yield furrow.run(source / "tests/property/scenes/packing.toml").json
+        yield furrow.run(source / "tests/property/scenes/lattice_hit.toml", {"time.method": "odeint_dopri5"}).json
+        for changes in ({"time.step": 0.02}, {"time.step": 0.5, "time.end": 1.0}):
+            yield self.failed(FIRST, changes)
+        yield self.failed(source / "tests/property/scenes/packing.toml", {"settle.step": 0.05})
+        yield self.interrupted()
+
+    def failed(self, scene, changes):
+        with tempfile.TemporaryDirectory() as place:
+            with self.assertRaises(furrow.RunFailed):
+                furrow.run(scene, changes, out=place)
+            return furrow.read(place).json
+
+    def interrupted(self):
+        with tempfile.TemporaryDirectory() as place:
+            command = [furrow.program(), "run", str(source / "validation/scenes/scenario_2.toml"), "--out", place]
+            with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as running:
+                while not (pathlib.Path(place) / "scene.toml").exists() and running.poll() is None:
+                    time.sleep(0.01)
+                running.send_signal(signal.SIGINT)
+                self.assertEqual(running.wait(), 130)
+            return furrow.read(place).json
+
+    def test_every_output_passes_and_none_with_a_wrong_field_does(self):
+        endings = set()
+        for run in self.outputs():
+            endings.add((run["ended"], "steps" in run))
+            self.passes(self.schema, run, run["title"])
+            self.fails_where_it_is_wrong(self.schema, run, lambda path: path == ("events",))
+        self.assertGreaterEqual({ended for ended, _ in endings}, {"finished", "invalid", "diverged", "interrupted"})
+        self.assertIn(False, {began for _, began in endings}, "one that ended while its scene settled")
+
+
+class OfChecks(Schemas):
+
+    def test_gathered_checks_pass_and_none_with_a_wrong_field_do(self):
+        tests, gather = os.environ["VERIFICATION_TESTS"], os.environ["GATHER"]
+        with tempfile.TemporaryDirectory() as place:
+            environment = os.environ | {"FURROW_RECORDS_IN": place}
+            subprocess.run([tests, "--gtest_filter=SlideToRoll.*"], env=environment, check=True, capture_output=True)
+            listed = subprocess.run([tests, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
+            (pathlib.Path(place) / "tests.txt").write_text(listed)
+            gathered = subprocess.run([gather, place, source / "verification/requirements", f"{place}/tests.txt"],
+                                      capture_output=True)
+            self.assertEqual(gathered.returncode, 1, "most tests did not run, and it says so")
+            checks = json.loads((pathlib.Path(place) / "checks.json").read_text())
+        self.assertGreater(len(checks["checks"]), 0)
+        self.assertGreater(len(checks["missing"]), 0)
+        schema = validator("checks")
+        self.passes(schema, checks, "checks.json")
+        checks["missing"] = checks["missing"][:1]
+        self.fails_where_it_is_wrong(schema, checks)
+
+
+if __name__ == "__main__":
+    unittest.main()
