@@ -22,16 +22,25 @@ std::unique_ptr<Solver> make_solver(const Scene& scene) {
 
 System::System(const Scene& scene) : solver_(make_solver(scene)) {}
 
-System::System(const System& other) : OdeSystem(other), solver_(other.solver_->clone()) {}
+System::System(const System& other) : OdeSystem(other), solver_(other.solver_->clone()), own_(other.own_) {}
 
 System& System::operator=(const System& other) {
   solver_ = other.solver_->clone();
+  own_ = other.own_;
   return *this;
 }
 
 void System::rhs(double t, const State& y, State& dydt) const {
   throw_if_interrupt_is_urgent();
   solver_->flow(t, y, dydt);
+  add_own(t, y, dydt);
+}
+
+// The rates that a solver hands over, for the next step to begin with, are its own.
+JumpReport System::jump(double t, State& y) {
+  JumpReport report = solver_->jump(t, y);
+  if (report.rates) add_own(t, y, *report.rates);
+  return report;
 }
 
 State System::initial_state() const { return furrow::initial_state(parts(), layout()); }
@@ -62,6 +71,7 @@ std::string System::velocity_dependence() const {
       any = any || (p.link.damping[link] > 0 && p.node.lattice[p.link.a[link]] == static_cast<int>(k));
     add(any, "damping of the links of lattice " + p.lattice[k].name);
   }
+  for (const OwnForce& force : own_) add(!force.velocity_dependence.empty(), force.velocity_dependence);
   return what;
 }
 

@@ -1,8 +1,11 @@
 // A scene made ready: its parts, where its numbers stand in the flat state, and the solver that carries it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "system/ode.h"
 #include "system/solver.h"
@@ -10,6 +13,15 @@
 #include "system/survey.h"
 
 namespace furrow {
+
+class System;
+
+// A force of the caller's own. It adds accelerations to the rates of a state, [m/s^2] at vx_of and vy_of, [rad/s^2] at
+// spin_of, and like rhs it is pure. The energy ledger does not know it: its work stands in the residual.
+struct OwnForce {
+  std::function<void(const System& system, double t, const State& y, State& rates)> add;
+  std::string velocity_dependence{};  // its name in messages if it depends on velocity; empty: it does not
+};
 
 // A value: a copy has a discrete state of its own. Several threads may call its const functions at once. rhs and jump
 // are for the default floating-point environment: rounding to nearest, no traps (see floating_point.h); run() and
@@ -32,8 +44,11 @@ class System : public OdeSystem {
   std::string velocity_dependence() const override;
   void rhs(double t, const State& y, State& dydt) const override;
 
+  // Acts from now on, in copies too. Before the first step.
+  void add_force(OwnForce force) { own_.push_back(std::move(force)); }
+
   State initial_state() const;
-  JumpReport jump(double t, State& y) { return solver_->jump(t, y); }
+  JumpReport jump(double t, State& y);
 
   DiscreteState discrete_state() const { return solver_->discrete_state(); }
   // Throws std::invalid_argument if it is not one of this scene's.
@@ -85,7 +100,12 @@ class System : public OdeSystem {
   std::uint64_t state_hash(const State& y) const;
 
  private:
+  void add_own(double t, const State& y, State& rates) const {
+    for (const OwnForce& force : own_) force.add(*this, t, y, rates);
+  }
+
   std::unique_ptr<Solver> solver_;
+  std::vector<OwnForce> own_;
 };
 
 }  // namespace furrow
