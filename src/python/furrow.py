@@ -9,7 +9,7 @@
     furrow.plot_force(run)
 
 One file. It needs Python 3.11 and its standard library alone; columns are arrays where numpy is installed and lists where
-it is not, Table.to_pandas needs pandas, plot_force needs matplotlib. The program is found by the variable FURROW, in PATH,
+it is not, Table.to_pandas needs pandas, plot_force and plot_frame need matplotlib. The program is found by the variable FURROW, in PATH,
 beside an installed copy of this file, or in build/release of the sources.
 """
 
@@ -33,7 +33,7 @@ except ImportError:
     numpy = None
 
 __all__ = ["Error", "ProgramNotFound", "RunFailed", "Table", "Run", "Member", "program", "load", "to_toml", "run", "read",
-           "check", "keys", "ensemble", "plot_force"]
+           "check", "keys", "ensemble", "plot_force", "plot_frame"]
 
 
 class Error(Exception):
@@ -353,4 +353,23 @@ def plot_force(runs, axes=None, against="displacement", component="F", plate=Non
     axes.set_ylabel(f"{component} [{table.unit(component)}]")
     if labels:
         axes.legend()
+    return axes
+
+
+def plot_frame(run, index, axes=None, shift=0.0):
+    """Draws one picture of a run: discs, links that are not torn, plates; all moved by `shift` [m] along x. Returns the axes."""
+    import matplotlib.patches
+    import matplotlib.pyplot
+    axes = axes or matplotlib.pyplot.subplots()[1]
+    frame = run.frame(index)
+    discs, links, plates = frame["discs"], frame["links"], frame["plates"]
+    for k in range(len(discs)):
+        axes.add_patch(matplotlib.patches.Circle((discs["x"][k] + shift, discs["y"][k]), discs["radius"][k], fill=False))
+    for k in range(len(links)):
+        axes.plot([links["x1"][k] + shift, links["x2"][k] + shift], [links["y1"][k], links["y2"][k]], "k", linewidth=0.5)
+    for k in range(len(plates)):
+        corner = (plates["left"][k] + shift, plates["lower"][k])
+        axes.add_patch(matplotlib.patches.Rectangle(corner, plates["width"][k], plates["height"][k]))
+    axes.set_aspect("equal")
+    axes.autoscale_view()
     return axes

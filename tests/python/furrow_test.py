@@ -206,6 +206,19 @@ class WithOtherPackages(unittest.TestCase):
         with self.assertRaisesRegex(furrow.Error, "no plate, no force"):
             furrow.plot_force(furrow.run(DISC))
 
+    def test_a_picture_has_every_disc_link_and_plate_where_it_is(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        scene = source / "tests/property/scenes/lattice_hit.toml"
+        run = furrow.run(scene)
+        frame = run.frame(0)
+        axes = furrow.plot_frame(run, 0, shift=0.5)
+        self.assertEqual(len(axes.lines), len(frame["links"]))
+        self.assertEqual(len(axes.patches), len(frame["discs"]) + len(frame["plates"]))
+        self.assertEqual(axes.patches[0].center, (frame["discs"]["x"][0] + 0.5, frame["discs"]["y"][0]))
+        self.assertEqual(list(axes.lines[0].get_xdata()), [frame["links"]["x1"][0] + 0.5, frame["links"]["x2"][0] + 0.5])
+        self.assertEqual(axes.patches[-1].get_xy(), (frame["plates"]["left"][0] + 0.5, frame["plates"]["lower"][0]))
+
     def test_numbers_of_numpy_may_stand_in_a_scene(self):
         import numpy
         scene = {"a": numpy.float64(0.1), "b": numpy.int32(3), "c": numpy.array([1.5, 2.0]), "d": numpy.bool_(True)}
