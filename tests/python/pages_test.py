@@ -4,6 +4,7 @@ Blocks of a page run in its order, in a copy of the sources: ```sh line by line,
 becomes that file. ```cpp FILE must be a piece of that file, which tests of its own build and run. There is no other kind.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -15,8 +16,8 @@ import unittest
 
 source = pathlib.Path(__file__).resolve().parents[2]
 program = pathlib.Path(os.environ["FURROW"])
-ROOMS = ["src", "src/scene", "src/python", "verification", "validation", "benchmarks", "tests"]
-PAGES = [f"{room}/README.md" for room in ROOMS]
+ROOMS = ["src", "src/scene", "src/output", "src/python", "verification", "validation", "benchmarks", "tests"]
+PAGES = ["README.md", *(f"{room}/README.md" for room in ROOMS)]
 TOP = [entry.name for entry in source.iterdir() if entry.is_dir() and not entry.name.startswith(".")]
 
 
@@ -30,6 +31,13 @@ def blocks_of(page):
 def spans_of(page):
     prose = re.sub(r"^```.*\n(?:.*\n)*?```$", "", (source / page).read_text(), flags=re.MULTILINE)
     return re.findall(r"`([^`\n]+)`", prose)
+
+
+def texts_of(value):
+    if isinstance(value, str):
+        yield value
+    for inner in value.values() if isinstance(value, dict) else value if isinstance(value, list) else ():
+        yield from texts_of(inner)
 
 
 class Pages(unittest.TestCase):
@@ -73,6 +81,8 @@ class Pages(unittest.TestCase):
                     written += text
                     self.runs(page, [sys.executable, "-c", written])
                 elif kind == "toml":
+                    if (source / name).exists():
+                        self.assertEqual(text, (source / name).read_text(), f"{page} shows another {name}")
                     (self.copy / name).write_text(text)
                 elif kind == "cpp":
                     self.assertIn(text, (source / name).read_text(), f"{page} shows what is not in {name}")
@@ -93,6 +103,14 @@ class Pages(unittest.TestCase):
         said = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
         self.assertTrue(said.startswith(f"furrow {version} ("), said)
 
+    def test_what_was_found_is_what_the_studies_say(self):
+        page = " ".join((source / "README.md").read_text().split())
+        for study, words in (("statements", r"Of \d+ statements, judged .*"), ("geometry", r"No setting tried .*")):
+            kept = json.loads((source / f"reference_data/studies/{study}.json").read_text())
+            said = [text for text in texts_of(kept) if re.fullmatch(words, text)]
+            self.assertEqual(len(said), 1, said)
+            self.assertIn(said[0], page)
+
     def test_the_drawing_is_that_of_the_includes(self):
         drawn = subprocess.run([source / "scripts/arrows", "--drawing"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(drawn, (source / "src/architecture.svg").read_text(),
@@ -100,7 +118,7 @@ class Pages(unittest.TestCase):
 
     def test_links_and_paths_lead_somewhere(self):
         checked = 0
-        for page in [*PAGES, "README.md", "CHANGELOG.md"]:
+        for page in [*PAGES, "CHANGELOG.md"]:
             text = (source / page).read_text()
             for link in re.findall(r"\]\(([^)#:]+)\)", text):
                 self.assertTrue((source / page).parent.joinpath(link).exists(), f"{page}: {link}")
@@ -113,7 +131,7 @@ class Pages(unittest.TestCase):
 
     def test_commands_in_sentences_have_the_options_that_are_named(self):
         checked = 0
-        for page in [*PAGES, "README.md", "CHANGELOG.md"]:
+        for page in [*PAGES, "CHANGELOG.md"]:
             for span in spans_of(page):
                 words = span.replace("[", " ").replace("]", " ").split()
                 if words[0] == "furrow" and len(words) > 1 and re.fullmatch("[a-z]+", words[1]):
