@@ -56,19 +56,37 @@ struct Step {
   std::optional<std::size_t> index{};
 };
 
+// What a path leads to in a field: a list's item, an optional's content, else the field.
+template <class T>
+struct Target {
+  using type = T;
+  static constexpr bool list = false;
+};
+template <class T>
+struct Target<std::optional<T>> : Target<T> {};
+template <class T>
+struct Target<std::vector<T>> {
+  using type = T;
+  static constexpr bool list = true;
+};
+
 // Finds the key and sets it. It is a visitor of schema.h.
 class KeySetter {
  public:
   KeySetter(const std::string& path, const std::string& text) : step_(path), text_(text) {}
 
   void operator()(const char* key, auto& field, const Key& about) {
-    if (is_it(key)) fault_ = set(field, text_, about.unit);
+    if (!is_it(key)) return;
+    fault_ = misplaced(field);
+    if (fault_.empty()) fault_ = set(field, text_, about.unit);
   }
   void required(const char* key, auto& field, const Key& about) { (*this)(key, field, about); }
 
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     if (!is_it(key)) return;
+    fault_ = misplaced(field);
+    if (!fault_.empty()) return;
     std::vector<std::string> words;
     for (const auto& [word, value, meaning] : choices) {
       words.emplace_back(word);
@@ -89,6 +107,15 @@ class KeySetter {
     return is;
   }
 
+  // The path has an index or further keys where there are none.
+  template <class T>
+  std::string misplaced(const T&) const {
+    if (step_.index && !Target<T>::list) return "is no list: leave out the [...]";
+    if (is_value<typename Target<T>::type> && !step_.rest.empty())
+      return "is a value: it has no key " + in_quotes(step_.rest);
+    return {};
+  }
+
   static std::string must_be(const std::string& what, std::string_view unit, const std::string& text) {
     return "must be " + what + in_brackets(unit) + ", not " + in_quotes(text);
   }
@@ -99,8 +126,9 @@ class KeySetter {
   }
 
   static std::string set(bool& field, const std::string& text, std::string_view unit) {
+    if (text != "true" && text != "false") return must_be("true or false", unit, text);
     field = text == "true";
-    return field || text == "false" ? "" : must_be("true or false", unit, text);
+    return {};
   }
 
   template <class Number>
@@ -118,8 +146,11 @@ class KeySetter {
   static std::string set(Vec2& field, const std::string& text, std::string_view unit) {
     const auto items = list_of(text);
     if (!items || items->size() != 2) return must_be("two numbers, [x, y],", unit, text);
-    const std::string fault = set(field.x, (*items)[0], unit);
-    return fault.empty() ? set(field.y, (*items)[1], unit) : fault;
+    Vec2 both;
+    std::string fault = set(both.x, (*items)[0], unit);
+    if (fault.empty()) fault = set(both.y, (*items)[1], unit);
+    if (fault.empty()) field = both;
+    return fault;
   }
 
   template <class T>
@@ -154,7 +185,7 @@ class KeySetter {
   const {
     KeySetter inner(step_.rest, text);
     describe(inner, field);
-    return inner.fault();
+    return step_.rest.empty() ? "is a table; set one of its keys: " + joined(inner.known_) : inner.fault();
   }
 
   Step step_;

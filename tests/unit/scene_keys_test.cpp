@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scene/keys.h"
+#include "scene/set_key.h"
 #include "scene/wording.h"
 #include "tests/unit/scene_of_examples.h"
 #include "tests/unit/scene_text.h"
@@ -136,6 +137,41 @@ TEST(SceneKeys, AWordIsOneOfThoseListed) {
     for (const auto& [word, meaning] : key.words) EXPECT_EQ(read_errors(scene_with(key, in_quotes(word))), "");
     if (key.words.empty()) continue;
     EXPECT_TRUE(has(read_errors(scene_with(key, "\"none of them\"")), "must be one of")) << key.path;
+  }
+}
+
+// "lattice.node.row" as it stands in the scene of examples: "lattice[0].node[0].row".
+std::string place_of(const SceneKey& key) {
+  std::string path = key.name();
+  for (const SceneKey& table : scene_keys())
+    if (table.type == Type::table && key.table() == table.path + '.')
+      path = place_of(table) + (table.list ? "[0]." : ".") + path;
+  return key.path == "material.rigid" ? "material[1].rigid" : path;
+}
+
+TEST(SceneKeys, SetByATextEveryKeyIsWhatTheReaderMakesOfIt) {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.type == Type::table) continue;
+    Scene set = SceneFile::parse(scene_with(key, ""), "f").scene;
+    EXPECT_EQ(set_key(set, place_of(key), key.example), "") << place_of(key);
+    EXPECT_EQ(canonical_text(set), canonical_text(SceneFile::parse(scene_with(key, key.example), "f").scene))
+        << place_of(key);
+  }
+}
+
+TEST(SceneKeys, SetByATextAWrongPathOrValueIsAFaultAndChangesNothing) {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.type == Type::table || key.type == Type::text) continue;  // any text is a string
+    Scene scene = SceneFile::parse(scene_with(key, key.example), "f").scene;
+    const std::string before = canonical_text(scene);
+    EXPECT_NE(set_key(scene, place_of(key), "x y"), "") << place_of(key);
+    EXPECT_NE(set_key(scene, place_of(key), "[7, x]"), "") << place_of(key);
+    EXPECT_NE(set_key(scene, place_of(key) + "x", key.example), "") << place_of(key);
+    EXPECT_NE(set_key(scene, place_of(key) + ".x", key.example), "") << place_of(key);
+    if (!key.list) {
+      EXPECT_EQ(set_key(scene, place_of(key) + "[0]", key.example), "is no list: leave out the [...]") << place_of(key);
+    }
+    EXPECT_EQ(canonical_text(scene), before) << place_of(key);
   }
 }
 
