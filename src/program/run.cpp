@@ -40,6 +40,8 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
   request.warn = [&](const std::string& text) { progress.say(name + ": warning: " + text); };
   RunOutcome outcome = run_with_files(request);
   const std::string in_directory = " in " + directory.string();
+  if (outcome.ended == "finished" && wanted.empty())
+    progress.say("furrow: " + name + " finished; its files are" + in_directory + " (--out DIR puts them elsewhere)");
   if (outcome.ended == "diverged")
     progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is" + in_directory);
   if (outcome.ended == "invalid")

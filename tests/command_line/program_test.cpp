@@ -24,6 +24,15 @@ TEST_F(Program, RunWritesEveryFileAndPrintsOnlyRunJson) {
   EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16U);
 }
 
+TEST_F(Program, RunSaysWhereItsFilesAreIfNobodySaidIt) {
+  const std::string words =
+      "furrow: disc_on_wall finished; its files are in runs/disc_on_wall (--out DIR puts them elsewhere)\n";
+  EXPECT_EQ(furrow("run " + scene("disc_on_wall")).err, words);
+  EXPECT_TRUE(has("runs/disc_on_wall/run.json"));
+  EXPECT_EQ(furrow("run " + scene("disc_on_wall") + " --out here").err, "");
+  EXPECT_EQ(furrow("run " + scene("disc_on_wall") + " --resume here").err, "");
+}
+
 TEST_F(Program, HeadingsCarryUnits) {
   ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.01 --out here").code, 0);
   std::istringstream force(text_of(directory_ / "here/plate_force.csv"));
