@@ -88,7 +88,7 @@ void order_claims(Report& report, const Observations& all) {
           " pairs of a fixed-step method and a kind of force the observed order of the position is the "
           "predicted one within three standard errors (Student's t of the fit) and twice what the next power of the "
           "step does to the slope, or 0.05; but no more than half of what the order would fall by with a method of one "
-          "order less. That is " +
+          "order less, and its points stand on a line (correlation). That is " +
           fixed(tolerances.at(tolerances.size() / 2), 2) + " in the middle, " + fixed(tolerances.back(), 2) +
           " at most; the furthest is " + fixed(furthest, 2) + " off" +
           (misses.empty() ? "." : "; except " + misses + "."),

@@ -156,7 +156,7 @@ Slope fitted(const std::vector<Point>& points, double Point::*error, int most, d
   }
   Slope slope;
   slope.points = static_cast<int>(places.size());
-  if (slope.points < 4) return {NAN, NAN, NAN, slope.points};
+  if (slope.points < 4) return {NAN, NAN, NAN, NAN, NAN, slope.points};
   centre(places, &Place::x);
   slope.step = centre(places, &Place::step);
   centre(places, &Place::y);
@@ -164,10 +164,17 @@ Slope fitted(const std::vector<Point>& points, double Point::*error, int most, d
   const double hh = product(places, &Place::step, &Place::step), hx = product(places, &Place::step, &Place::x);
   const double hy = product(places, &Place::step, &Place::y), yy = product(places, &Place::y, &Place::y);
   slope.value = xy / xx;
+  slope.correlation = xy / std::sqrt(xx * yy);
+  slope.spread = xx;
   slope.error = std::sqrt(std::max(0.0, yy - slope.value * xy) / (slope.points - 2) / xx);
   const double with_next = (xy * hh - hy * hx) / (xx * hh - hx * hx);
   slope.next = std::fabs(with_next - slope.value);
   return slope;
+}
+
+double correlation_with(const Slope& slope, double scatter) {
+  const double on_the_line = slope.value * slope.value * slope.spread;
+  return std::sqrt(on_the_line / (on_the_line + (slope.points - 2) * scatter * scatter));
 }
 
 double tolerance_of(const Slope& slope) {

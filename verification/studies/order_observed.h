@@ -36,8 +36,10 @@ struct Point {
 struct Slope {
   double value = 0, error = 0;
   double next = 0;
-  int points = 0;   // fewer than 4: no order can be given
-  double step = 0;  // s, mean of the points
+  double correlation = 0;  // of the two logarithms: 1 if all points stand on the line
+  double spread = 0;       // sum of the squares of log step about its mean
+  int points = 0;          // fewer than 4: no order can be given
+  double step = 0;         // s, mean of the points
 };
 
 // How far an observed order may be from the predicted one: three standard errors, by Student's t of the fit's few
@@ -45,6 +47,10 @@ struct Slope {
 // one before or less. Below 0.05, a fifth of the difference of the two closest orders, 1 and 5/4, nothing
 // counts.
 double tolerance_of(const Slope& slope);
+
+// The correlation of points that scatter about such a line by so much in log error. A slope alone can be that of no line
+// at all: order 4 that halfway stops at a floor has slope 2.
+double correlation_with(const Slope& slope, double scatter);
 
 // The points whose error (a member of Point) lies between round-off and 1/30, at most `most` of them, the finest.
 // Errors below 1e-11 may be round-off: of thousands of sums at 0.1 m, over lengths of some mm.

@@ -56,6 +56,8 @@ Exponents predicted_exponents(const MethodInfo& method, const Problem& problem) 
   return {smooth, std::min(smooth, (1 + problem.limit / q) / 2), 1 / q};
 }
 
+double scatter_on(const Problem& problem) { return problem.limit == no_limit ? 0.03 : 0.5; }
+
 Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vector<Point>& points) {
   const auto slope_of = [&](double Point::*error) {
     return problem.limit == no_limit ? fitted_smooth(points, error) : fitted(points, error);
@@ -70,8 +72,13 @@ Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vec
   const double room = want.most - want.position;
   v.position_gate = gate_of(v.position, want.position, method, problem);
   v.velocity_gate = gate_of(v.velocity, want.velocity, method, problem);
-  v.position_holds = off(v.position, want.position, want.most) <= v.position_gate;
-  v.velocity_holds = off(v.velocity, want.velocity, want.at_least ? no_limit : want.velocity + room) <= v.velocity_gate;
+  v.position_line = correlation_with(v.position, scatter_on(problem));
+  v.velocity_line = want.at_least ? 0 : correlation_with(v.velocity, scatter_on(problem));
+  v.position_holds =
+      off(v.position, want.position, want.most) <= v.position_gate && v.position.correlation >= v.position_line;
+  v.velocity_holds =
+      off(v.velocity, want.velocity, want.at_least ? no_limit : want.velocity + room) <= v.velocity_gate &&
+      !(v.velocity.correlation < v.velocity_line);
   return v;
 }
 

@@ -43,14 +43,22 @@ struct Exponents {
 };
 Exponents predicted_exponents(const MethodInfo& method, const Problem& problem);
 
+// How far log error may stand from the line. On a smooth force by 3 %: what the next power of the step bends it by, over
+// six steps of which the longest leaves an error of a thirtieth. With an event each error is the root of a mean square
+// over where in a step it falls, and at worst one of these places makes the whole error: it is hit or missed, the mean
+// square varies by its whole, half its logarithm by 1/2.
+double scatter_on(const Problem& problem);
+
 // Slopes of one method on one problem against their predictions. `gate`: how far one may be off, which is
 // tolerance_of(slope), and on a smooth force what the predictor of an Adams method does to the slope; but no more than
 // half of what the order would fall by with a method of one order less, and half an order where that is hidden by
-// the event. A wider one would certify nothing.
+// the event. A wider one would certify nothing. `line`: the least correlation, of points that scatter by scatter_on; of a
+// lower bound nothing is asked.
 struct Verdict {
   Slope position, velocity;
   std::optional<Prediction> predicted{};
   double position_gate = 0, velocity_gate = 0;
+  double position_line = 0, velocity_line = 0;
   bool position_holds = true, velocity_holds = true;
 };
 Verdict verdict(const MethodInfo& method, const Problem& problem, const std::vector<Point>& points);
