@@ -268,6 +268,7 @@ TEST(Evidence, EveryWayToSpoilTheChecksIsNamed) {
 TEST(Evidence, AFaultThatWasNotNoticedOrNotTriedIsNamed) {
   const std::vector<Way> ways{{"none", [](Json& f) { f["results"] = Json::array(); }},
                               {"not noticed", [](Json& f) { f["results"][0]["failed"] = Json::array(); }},
+                              {"not by the property", [](Json& f) { f["results"][0]["by_property"] = Json::array(); }},
                               {"trouble", [](Json& f) { f["results"][0]["trouble"] = "does not build"; }},
                               {"without a name", [](Json& f) { f["results"][0].erase("name"); }}};
   Place place;

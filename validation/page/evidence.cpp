@@ -73,6 +73,8 @@ std::string unfit_faults(const ordered_json& study) {
     if (name.empty()) return "a fault without a name";
     if (result.contains("trouble")) return name + " could not be tried: " + text_in(result, "trouble");
     if (text_in(result, "kind") == "fault" && list_in(result, "failed").empty()) return name + " was not noticed";
+    if (result.contains("by_property") && list_in(result, "by_property").empty())
+      return name + " was not noticed where the kernel is held against the reference";
     if (text_in(result, "kind") == "constant" && !result.contains("smallest_noticed")) return name + " was not noticed";
   }
   return {};

@@ -27,10 +27,22 @@ std::vector<ordered_json> of_kind(const ordered_json& study, const char* kind) {
   return entries;
 }
 
+std::ptrdiff_t noticed_by_property(const std::vector<ordered_json>& faults) {
+  return std::count_if(faults.begin(), faults.end(),
+                       [](const ordered_json& f) { return f.contains("by_property") && !f["by_property"].empty(); });
+}
+
 Suites suites_of(const ordered_json& tests) {
   Suites suites;
   for (const auto& test : tests) suites.insert(suite_of(test.get<std::string>()));
   return suites;
+}
+
+// Of the kernel's faults: whether the test that holds the kernel against the reference notices it, alone.
+std::string property_cell(const ordered_json& fault) {
+  if (!fault.contains("by_property")) return element("td", "");
+  const std::size_t count = fault["by_property"].size();
+  return count == 0 ? element("td", "none", "number missing") : element("td", std::to_string(count), "hit");
 }
 
 std::string matrix_row(const ordered_json& fault, const Suites& suites, const Suites& methods) {
@@ -40,7 +52,8 @@ std::string matrix_row(const ordered_json& fault, const Suites& suites, const Su
   const bool methods_left_out = std::find(left_out.begin(), left_out.end(), "methods") != left_out.end();
   std::string cells = element("td", text(fault, "says")) +
                       (by.empty() ? element("td", "none", "number missing")
-                                  : element("td", std::to_string(fault.at("failed").size()), "number"));
+                                  : element("td", std::to_string(fault.at("failed").size()), "number")) +
+                      property_cell(fault);
   for (const std::string& suite : suites) {
     if (by.count(suite) != 0) {
       cells += element("td", std::to_string(by[suite]), "hit");
@@ -63,8 +76,10 @@ std::string matrix(const std::vector<ordered_json>& faults, const ordered_json& 
   for (const auto& [suite, count] : noticed_by) suites.insert(suite);
   const Suites methods = suites_of(study.at("groups").value("methods", ordered_json::array()));
 
-  std::string head = element("th", "Fault") + element("th", "<span>tests that notice it</span>", "upright");
-  std::string foot = element("th", "Faults that the page notices") + element("td", "");
+  std::string head = element("th", "Fault") + element("th", "<span>tests that notice it</span>", "upright") +
+                     element("th", "<span>kernel against reference, alone</span>", "upright");
+  std::string foot = element("th", "Faults that the page notices") + element("td", "") +
+                     element("td", std::to_string(noticed_by_property(faults)), "number");
   for (const std::string& suite : suites) {
     head += element("th", "<span>" + escaped(suite) + "</span>", "upright");
     foot += element("td", std::to_string(noticed_by[suite]), "number");
@@ -72,7 +87,7 @@ std::string matrix(const std::vector<ordered_json>& faults, const ordered_json& 
   std::string rows;
   for (const auto& [file, those] : files) {
     rows += element(
-        "tr", "<th class=\"file\" colspan=\"" + std::to_string(suites.size() + 2) + "\">" + escaped(file) + "</th>");
+        "tr", "<th class=\"file\" colspan=\"" + std::to_string(suites.size() + 3) + "\">" + escaped(file) + "</th>");
     for (const ordered_json& fault : those) rows += matrix_row(fault, suites, methods);
   }
   return "<div class=\"scroll\"><table class=\"matrix\">" + element("thead", element("tr", head)) +
@@ -109,17 +124,29 @@ std::string silent_table(const ordered_json& tests) {
          element("tbody", rows) + "</table></details>";
 }
 
-// "63b8b18" or "63b8b18 and e6239ba": on what the faults were tried.
-std::string commits(const ordered_json& study) {
+// "Tried on commits 63b8b18 and e6239ba"; of the property with another key.
+std::string commits(const ordered_json& study, const char* key = "commit") {
   std::vector<std::string> all;
   for (const ordered_json& result : study.at("results")) {
-    const std::string commit = result.value("commit", study.at("commit").get<std::string>());
-    if (std::find(all.begin(), all.end(), commit) == all.end()) all.push_back(commit);
+    const std::string commit = result.value(key, study.at("commit").get<std::string>());
+    const bool asked = std::string(key) == "commit" || result.contains("by_property");
+    if (asked && std::find(all.begin(), all.end(), commit) == all.end()) all.push_back(commit);
   }
   std::string list;
   for (std::size_t k = 0; k < all.size(); ++k)
     list += (k == 0 ? "" : k + 1 < all.size() ? ", " : " and ") + escaped(all[k]);
   return (all.size() > 1 ? "Tried on commits " : "Tried on commit ") + list;
+}
+
+// Of the faults in the kernel; empty if the property was not asked.
+std::string property_sentence(const std::vector<ordered_json>& faults, const ordered_json& study) {
+  const auto asked =
+      std::count_if(faults.begin(), faults.end(), [](const ordered_json& f) { return f.contains("by_property"); });
+  if (asked == 0) return {};
+  return std::to_string(asked) +
+         " of them are in the fast kernel. These were also given to the test that holds the kernel against the "
+         "reference, to the bit, and to nothing else: it noticed " +
+         std::to_string(noticed_by_property(faults)) + ". " + commits(study, "property_commit") + ".";
 }
 
 }  // namespace
@@ -135,6 +162,7 @@ std::string faults_part(const ordered_json& study) {
                std::to_string(noticed) + ". " + commits(study) +
                ". A number says how many tests of a page fail. A dash: the page was not run, because it measures "
                "methods, the fault is not in one, and other pages noticed it.");
+  if (const std::string words = property_sentence(faults, study); !words.empty()) html += element("p", words);
   html += matrix(faults, study);
   if (!constants.empty()) html += constants_table(constants);
   if (!study.at("noticed_nothing").empty()) html += silent_table(study.at("noticed_nothing"));

@@ -2,13 +2,17 @@
 // verification tests on it, and notes which fail; then finds for each constant the smallest relative change that some
 // test notices.
 //
-// usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--jobs N] [--only NAME]... [--into REPORT]
+// Faults of the kernel are also given to the test that holds the kernel against the reference, and to nothing else: it
+// must notice each by itself.
+//
+// usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--property] [--jobs N] [--only NAME]... [--into REPORT]
 //   TREE       the project; it is only read
 //   BUILD      a build of it that holds verification_tests
 //   WORK       directory for the copies, the verdicts and the result, faults.json. Verdicts that WORK holds already are
 //              not tried again, so a study that was stopped goes on, and only what has changed is run
 //   --quick    only the faults marked quick, and no constants, on the pages that these faults name
 //   --into     take the verdicts into an earlier report, whose others stay; each names the commit that it was tried on
+//   --property only that test, on the faults of the kernel; the report that it goes into keeps all its other verdicts
 //   --rebuild  compile the pages again for each fault, as those marked `rebuild` are: slower, with the same result
 // Exit codes: 0 every fault was noticed; 1 some were not, or one could not be applied or built; 4 a file cannot be
 // read.
@@ -26,6 +30,7 @@
 #include "report/measured_process.h"
 #include "report/seal.h"
 #include "verification/fault_study/faults.h"
+#include "verification/fault_study/verdicts.h"
 
 namespace furrow::verification {
 namespace {
@@ -37,17 +42,9 @@ struct Options {
   std::vector<fs::path> places;
   std::set<std::string> only;  // names; empty: all
   fs::path into;               // an earlier report; empty: a new one
-  bool quick = false, rebuild = false;
+  bool quick = false, rebuild = false, property = false;
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
 };
-
-std::string commit_of(const fs::path& tree) {
-  const MeasuredEnd git = run_measured({.words = {"git", "-C", tree, "describe", "--always", "--dirty"}});
-  const std::string commit = git.output.substr(0, git.output.find('\n'));
-  return git.status != 0 || commit.empty() ? "unknown" : commit;
-}
-
-constexpr const char* turn_names[] = {"always", "methods", "costly"};
 
 ordered_json head_of(const Fault& fault) {
   return {{"name", fault.name},
@@ -99,14 +96,24 @@ void smallest_noticed(Workshop& workshop, std::vector<Page>& pages, const Change
   result["smallest_noticed"] = std::pow(10.0, -seen);
 }
 
+bool of_kernel(const Fault& fault) { return !fault.constant && fault.change.file.starts_with("src/kernel/"); }
+
+// By the pages, or by the property alone, as far as they were asked.
 bool failed(const ordered_json& result) {
-  return result.contains("trouble") || (result["kind"] == "fault" && result["failed"].empty());
+  const auto nothing_in = [&](const char* key) { return result.contains(key) && result[key].empty(); };
+  return result.contains("trouble") || nothing_in("failed") || nothing_in("by_property");
 }
 
 std::string in_words(const ordered_json& result) {
   if (result.contains("trouble")) return "TROUBLE: " + result["trouble"].get<std::string>();
-  if (result["kind"] == "fault")
-    return failed(result) ? "NOT NOTICED" : "noticed by " + std::to_string(result["failed"].size()) + " tests";
+  const auto noticed_by = [&](const char* key) {
+    return result[key].empty() ? std::string("NOT NOTICED")
+                               : "noticed by " + std::to_string(result[key].size()) + " tests";
+  };
+  std::string words = result.contains("failed") ? noticed_by("failed") : "";
+  if (result.contains("by_property"))
+    words += (words.empty() ? "" : "; ") + ("by the kernel's property alone: " + noticed_by("by_property"));
+  if (!words.empty()) return words;
   char text[64];
   std::snprintf(text, sizeof text, "noticed from a relative change of %g", result["smallest_noticed"].get<double>());
   return text;
@@ -114,10 +121,12 @@ std::string in_words(const ordered_json& result) {
 
 class Study {
  public:
-  Study(Places places, Faults faults, std::vector<std::string> names, bool quick)
+  Study(Places places, Faults faults, std::vector<std::string> names, const Options& options)
       : places_(std::move(places)),
+        options_(options),
         names_(std::move(names)),
         pages_(pages_of(places_, faults.methods_pages, faults.costly_tests)),
+        property_(kernel_is_reference(places_)),
         faults_(std::move(faults)),
         results_(faults_.all.size()) {
     std::set<std::string> tests;
@@ -127,7 +136,7 @@ class Study {
     for (const std::string& test : mentioned) {
       if (tests.count(test) == 0) throw std::runtime_error("faults.toml: there is no test " + test);
     }
-    if (!quick) return;
+    if (!options_.quick) return;
     std::set<std::string> named;
     for (const Fault& fault : faults_.all) named.insert(fault.quick);
     std::erase_if(pages_, [&](const Page& page) { return named.count(page.name) == 0; });
@@ -142,7 +151,7 @@ class Study {
     if (work_.empty()) return;
     const std::string name = rebuild ? "rebuilt_" : "";
     Workshop first(places_, name + "0", std::max(1U, std::thread::hardware_concurrency()), rebuild);
-    if (!sound(first, Turn::methods)) {
+    if (!(options_.property ? sound_property(first) : sound(first, Turn::methods) && sound_property(first))) {
       bad_ += static_cast<int>(work_.size());
       work_.clear();
       return;
@@ -164,46 +173,27 @@ class Study {
 
   int bad() const { return bad_; }  // not noticed, or not tried
 
-  // `earlier`: verdicts of faults that were not tried now; those that faults.toml no longer names are dropped.
   ordered_json report(const ordered_json& earlier) const {
-    const std::string commit = commit_of(places_.tree);
-    std::map<std::string, ordered_json> kept;
-    for (ordered_json result : earlier.value("results", ordered_json::array())) {
-      if (!result.contains("commit")) result["commit"] = earlier.at("commit");
-      kept[result.at("name")] = result;
-    }
-    std::map<std::string, std::set<std::string>> groups;
-    std::set<std::string> silent;
-    for (const Page& page : pages_) {
-      silent.insert(page.tests.begin(), page.tests.end());
-      if (page.turn != Turn::always) groups[turn_names[page.turn]].insert(page.tests.begin(), page.tests.end());
-    }
-    for (ordered_json result : results_) {
-      if (result.is_null()) continue;  // the sound tree was not green
-      result["commit"] = commit;
-      kept[result.at("name")] = result;
-    }
-    ordered_json tried = ordered_json::array();
-    for (const std::string& name : names_) {
-      if (kept.count(name) == 0) continue;
-      const ordered_json& result = tried.emplace_back(kept[name]);
-      for (const char* key : {"failed", "by"}) {
-        for (const auto& test : result.value(key, ordered_json::array())) silent.erase(test.get<std::string>());
-      }
-    }
-    ordered_json noticed_nothing = ordered_json::object();
-    for (const std::string& test : silent) {
-      const auto why = faults_.silent.find(test);
-      noticed_nothing[test] = why == faults_.silent.end() ? "" : why->second;
-    }
-    return {{"commit", commit}, {"groups", groups}, {"results", tried}, {"noticed_nothing", noticed_nothing}};
+    const Tried tried{commit_of(places_.tree), names_, pages_, faults_.silent, results_};
+    return options_.property ? with_property(tried, earlier) : report_of(tried, earlier);
   }
 
  private:
-  bool sound(Workshop& workshop, Turn last) try {
+  bool sound(Workshop& workshop, Turn last) {
+    std::vector<Page> those;
+    std::copy_if(pages_.begin(), pages_.end(), std::back_inserter(those),
+                 [&](const Page& p) { return p.turn <= last; });
+    return sound(workshop, those);
+  }
+
+  bool sound_property(Workshop& workshop) {
+    const bool asked = !options_.quick && std::any_of(faults_.all.begin(), faults_.all.end(), of_kernel);
+    return !asked || sound(workshop, std::vector<Page>{property_});
+  }
+
+  bool sound(Workshop& workshop, const std::vector<Page>& pages) try {
     workshop.put({});
-    for (const Page& page : pages_) {
-      if (page.turn > last) break;
+    for (const Page& page : pages) {
       for (const std::string& test : workshop.failing_tests(page)) throw std::runtime_error(test + " fails");
     }
     return true;
@@ -221,8 +211,12 @@ class Study {
     try {
       if (fault.constant) {
         smallest_noticed(workshop, pages, fault.change, result);
-      } else {
+      } else if (!options_.property) {
         try_fault(workshop, pages_, last, fault.change, result);
+      }
+      if (of_kernel(fault) && !options_.quick) {
+        workshop.put(fault.change);
+        result["by_property"] = workshop.failing_tests(property_);
       }
     } catch (const std::runtime_error& error) {
       result["trouble"] = error.what();
@@ -246,14 +240,26 @@ class Study {
   }
 
   Places places_;
+  Options options_;
   std::vector<std::string> names_;  // of all faults, in their order
   std::vector<Page> pages_;
+  Page property_;
   Faults faults_;
   std::vector<ordered_json> results_;
   std::vector<std::size_t> work_;  // indices of what is still to be tried, the next one last
   std::mutex mutex_;
   int bad_ = 0;
 };
+
+// What the property notices stands beside the verdict of the pages.
+void refuse_unknown(const std::vector<Fault>& faults, const ordered_json& report) {
+  std::set<std::string> known;
+  for (const auto& result : report.at("results")) known.insert(result.at("name").get<std::string>());
+  for (const Fault& fault : faults) {
+    if (known.count(fault.name) == 0)
+      throw std::runtime_error("the report has no verdict on " + fault.name + ": try it without --property first");
+  }
+}
 
 bool read_options(int argc, char** argv, Options& options) {
   for (int k = 1; k < argc; ++k) {
@@ -262,6 +268,8 @@ bool read_options(int argc, char** argv, Options& options) {
       options.quick = true;
     } else if (word == "--rebuild") {
       options.rebuild = true;
+    } else if (word == "--property") {
+      options.property = true;
     } else if (word == "--jobs" && k + 1 < argc) {
       options.jobs = static_cast<unsigned>(std::max(1, std::atoi(argv[++k])));
     } else if (word == "--into" && k + 1 < argc) {
@@ -272,15 +280,15 @@ bool read_options(int argc, char** argv, Options& options) {
       options.places.push_back(fs::absolute(word));
     }
   }
-  return options.places.size() == 3;
+  return options.places.size() == 3 && (!options.property || !options.into.empty());
 }
 
 int main_of(int argc, char** argv) {
   Options options;
   if (!read_options(argc, argv, options)) {
-    std::fprintf(
-        stderr,
-        "usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--jobs N] [--only NAME]... [--into REPORT]\n");
+    std::fprintf(stderr,
+                 "usage: fault_study TREE BUILD WORK [--quick] [--rebuild] [--property] [--jobs N] [--only NAME]... "
+                 "[--into REPORT]\n");
     return 2;
   }
   const Places places{options.places[0], options.places[1], options.places[2]};
@@ -293,15 +301,17 @@ int main_of(int argc, char** argv) {
   ordered_json earlier = ordered_json::object();
   if (!options.into.empty()) earlier = read_sealed(options.into);
   std::erase_if(faults.all, [&](const Fault& f) {
-    return (options.quick && f.quick.empty()) || (!options.only.empty() && options.only.count(f.name) == 0);
+    return (options.quick && f.quick.empty()) || (options.property && !of_kernel(f)) ||
+           (!options.only.empty() && options.only.count(f.name) == 0);
   });
   if (faults.all.empty()) throw std::runtime_error("no fault to try");
+  if (options.property) refuse_unknown(faults.all, earlier);
   for (Fault& fault : faults.all) fault.rebuild = fault.rebuild || options.rebuild;
   // To build a second copy takes longer than to try a handful of faults in the first.
   if (options.quick) options.jobs = 1;
   const std::size_t count = faults.all.size();
 
-  Study study(places, std::move(faults), std::move(names), options.quick);
+  Study study(places, std::move(faults), std::move(names), options);
   study.try_all(false, options.jobs);
   study.try_all(true, options.jobs);
   const fs::path result = places.work / "faults.json";

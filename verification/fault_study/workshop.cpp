@@ -43,7 +43,8 @@ void write(const fs::path& file, const std::string& text) {
 }
 
 void copy_tree(const fs::path& from, const fs::path& to) {
-  for (const char* part : {"src", "cmake", "tests/determinism", "tests/studies", "verification", "CMakeLists.txt"}) {
+  for (const char* part :
+       {"src", "cmake", "tests/determinism", "tests/property", "tests/studies", "verification", "CMakeLists.txt"}) {
     if (!fs::is_directory(from / part)) {
       write(to / part, text_of(from / part));
       continue;
@@ -118,6 +119,18 @@ std::vector<Page> pages_of(const Places& places, const std::set<std::string>& me
   return pages;
 }
 
+Page kernel_is_reference(const Places& places) {
+  const fs::path home = places.tree / "tests/property";
+  Page page{.name = "kernel_is_reference", .program = "property_of_faulty"};
+  const std::string text = text_of(home / "kernel_is_reference_test.cpp");
+  static const std::regex test(R"(\b(?:TEST|RC_GTEST_PROP)\((KernelIsReference), (\w+)\b)");
+  for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
+    page.tests.push_back((*found)[1].str() + "." + (*found)[2].str());
+  if (page.tests.empty()) throw std::runtime_error("tests/property: there is no test KernelIsReference");
+  page.object = text + text_of(home / "both_solvers.h") + text_of(home / "differences.h");
+  return page;
+}
+
 Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild)
     : places_(places), home_(places.work / name), target_(rebuild ? "rebuilt_tests" : "faulty_tests"), jobs_(jobs) {
   fs::create_directories(home_ / "tree");
@@ -140,7 +153,7 @@ void Workshop::configure() {
 void Workshop::put(const Change& change) {
   if (!changed_.empty()) write(home_ / "tree" / changed_, text_of(places_.tree / changed_));
   changed_ = change.file;
-  built_ = false;
+  built_.clear();
   if (!change.file.empty()) {
     std::string text = text_of(places_.tree / change.file);
     const std::size_t at = text.find(change.old_text);
@@ -153,16 +166,16 @@ void Workshop::put(const Change& change) {
   source_ = code_of(home_ / "tree") + text_of(places_.tree / "verification/fault_study/CMakeLists.txt");
 }
 
-void Workshop::build() {
+void Workshop::build(const std::string& program) {
   if (!configured_) configure();
   const fs::path log = home_ / "build.log";
   const MeasuredCommand cmake{
-      .words = {"cmake", "--build", home_ / "build", "--target", target_, "-j", std::to_string(jobs_)},
+      .words = {"cmake", "--build", home_ / "build", "--target", program, "-j", std::to_string(jobs_)},
       .environment = {"CCACHE_NOHASHDIR=1", "CCACHE_BASEDIR=" + home_.string()}};
   if (!succeeds(cmake, log)) {
     throw std::runtime_error("does not build, see " + log.string());
   }
-  built_ = true;
+  built_.insert(program);
 }
 
 std::set<std::string> Workshop::failing_tests(const Page& page) {
@@ -170,12 +183,12 @@ std::set<std::string> Workshop::failing_tests(const Page& page) {
   std::string tests;
   for (const std::string& test : page.tests) tests += test + "\n";
   char key[64];
-  std::snprintf(key, sizeof key, "%s-%016zx%016zx", target_.substr(0, 1).c_str(), hash(source_),
+  std::snprintf(key, sizeof key, "%s-%016zx%016zx", program_of(page).substr(0, 1).c_str(), hash(source_),
                 hash(page.object + tests + scenes_of(places_.tree)));
   const fs::path kept = places_.verdicts() / key;
   std::set<std::string> failing;
   if (!fs::exists(kept)) {
-    if (!built_) build();
+    if (built_.count(program_of(page)) == 0) build(program_of(page));
     const fs::path part = kept.string() + "." + home_.filename().string();
     std::string text;
     for (const std::string& test : run(page)) text += test + "\n";
@@ -188,7 +201,7 @@ std::set<std::string> Workshop::failing_tests(const Page& page) {
 }
 
 // A page has a minute of the processor for what takes seconds, the costly tests have four for one. A test that neither
-// failed nor passed brought the page down.
+// failed nor passed brought the page down. Random scenes are the same each time.
 std::set<std::string> Workshop::run(const Page& page) const {
   std::string filter;
   for (const std::string& test : page.tests) filter += (filter.empty() ? "" : ":") + test;
@@ -196,9 +209,10 @@ std::set<std::string> Workshop::run(const Page& page) const {
   fs::remove_all(home_ / "tmp");  // a page that was killed leaves its files
   fs::create_directories(home_ / "tmp");
   const std::string seconds = page.turn == Turn::costly ? "240" : "60";
-  succeeds({.words = {"prlimit", "--cpu=" + seconds, "--as=4096000000", home_ / "build" / target_,
+  succeeds({.words = {"prlimit", "--cpu=" + seconds, "--as=4096000000", home_ / "build" / program_of(page),
                       "--gtest_filter=" + filter},
-            .environment = {"TMPDIR=" + (home_ / "tmp").string(), "FURROW_RECORDS_IN=" + (home_ / "records").string()}},
+            .environment = {"TMPDIR=" + (home_ / "tmp").string(), "FURROW_RECORDS_IN=" + (home_ / "records").string(),
+                            "RC_PARAMS=seed=1 noshrink=1"}},
            log);
   const std::string text = text_of(log);
   const auto tests_with = [&](const char* mark) {

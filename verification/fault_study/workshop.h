@@ -22,6 +22,7 @@ struct Page {
   std::vector<std::string> tests;  // "Suite.Test"
   std::string object;              // the bytes of the object file, and of the studies that it calls
   Turn turn = always;
+  std::string program{};  // that has them; empty: the one of the pages
 };
 
 // Where things are. The sound build must hold verification_tests.
@@ -38,6 +39,9 @@ std::string code_of(const std::filesystem::path& tree);
 std::vector<Page> pages_of(const Places& places, const std::set<std::string>& methods,
                            const std::set<std::string>& costly);
 
+// The test that holds the kernel against the reference, as a page of its own.
+Page kernel_is_reference(const Places& places);
+
 // One copy of the tree with one build directory, in which changes are tried one after the other. Verdicts are kept in
 // places.verdicts() under what they depend on: the source but for its comments, the page's object and the scenes.
 class Workshop {
@@ -53,7 +57,8 @@ class Workshop {
 
  private:
   void configure();
-  void build();
+  void build(const std::string& program);
+  const std::string& program_of(const Page& page) const { return page.program.empty() ? target_ : page.program; }
   std::set<std::string> run(const Page& page) const;
 
   Places places_;
@@ -61,7 +66,8 @@ class Workshop {
   std::string target_;
   std::string changed_;  // file
   std::string source_;   // what all verdicts on the change depend on
-  bool configured_ = false, built_ = false;
+  bool configured_ = false;
+  std::set<std::string> built_;  // programs, with the change
   unsigned jobs_;
 };
 
