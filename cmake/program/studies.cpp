@@ -9,6 +9,8 @@ namespace furrow {
 const std::vector<Study>& catalogue() {
   static const std::vector<Study> all{
       {"order", "observed order of each method on each kind of force", verification::order},
+      {"published", "every method on published problems that have nothing to do with contacts",
+       verification::published},
       {"stability", "where methods fail: stable steps by theory, and the solver's own blow-up",
        verification::stability},
       {"work_precision", "error against evaluations and CPU time, every method on every scene",

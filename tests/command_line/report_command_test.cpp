@@ -189,8 +189,8 @@ TEST_F(Judging, MethodsAreATableOfTheCatalogue) {
 
 TEST_F(Judging, StudiesAreListedAndAnUnknownOneIsRefused) {
   ASSERT_EQ(furrow("study").code, 0);
-  for (const char* name : {"order", "stability", "work_precision", "need", "speed", "geometry", "convergence",
-                           "ensemble", "statements", "outlook"})
+  for (const char* name : {"order", "published", "stability", "work_precision", "need", "speed", "geometry",
+                           "convergence", "ensemble", "statements", "outlook"})
     EXPECT_NE(("\n" + out()).find(std::string("\n") + name + " "), std::string::npos) << name;
   EXPECT_EQ(furrow("study ordre").code, 2);
   EXPECT_NE(err().find("no study 'ordre'; there are order,"), std::string::npos) << err();

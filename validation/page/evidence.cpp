@@ -83,8 +83,9 @@ std::string unfit_faults(const ordered_json& study) {
 }  // namespace
 
 const std::vector<std::string>& studies_of_the_page() {
-  static const std::vector<std::string> all{"convergence", "statements", "ensemble",       "geometry", "outlook",
-                                            "order",       "stability",  "work_precision", "need",     "speed"};
+  static const std::vector<std::string> all{"convergence",    "statements", "ensemble",  "geometry",
+                                            "outlook",        "order",      "published", "stability",
+                                            "work_precision", "need",       "speed"};
   return all;
 }
 

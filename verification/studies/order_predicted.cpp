@@ -5,23 +5,20 @@
 #include <cmath>
 
 namespace furrow::verification {
+
+double predictors_share(const MethodInfo& method) {
+  constexpr std::array<double, 6> gamma{1, 1 / 2., 5 / 12., 3 / 8., 251 / 720., 95 / 288.};
+  constexpr std::array<double, 6> gamma_star{1, 1 / 2., 1 / 12., 1 / 24., 19 / 720., 3 / 160.};
+  const auto p = static_cast<std::size_t>(method.order);
+  return method.name.starts_with("odeint_abm") ? gamma[p - 1] * gamma[p] / gamma_star[p] : 0;
+}
+
 namespace {
 
 // Symplectic Euler's velocities are those of Verlet's half a step off, its positions the same where it starts and ends
 // without force. With a force that depends on velocity it is plain first order.
 bool leapfrog(const MethodInfo& method, const Problem& problem) {
   return method.name.ends_with("symplectic_euler") && problem.from_rest;
-}
-
-// P(EC)E by Adams's formulas of order p errs by C h^(p+1) y^(p+1) of the corrector and, since the rate there is taken
-// at the predicted place, by b0 h J C_P h^(p+1) y^(p+1) more: the next power of the step, with the factor
-//   b0 C_P/C = gamma_(p-1) gamma_p / |gamma*_p|,   1, 2.5, 3.75, 4.95, 6.13 for p = 1 to 5,
-// over the first. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, III.1.
-double predictors_share(const MethodInfo& method) {
-  constexpr std::array<double, 6> gamma{1, 1 / 2., 5 / 12., 3 / 8., 251 / 720., 95 / 288.};
-  constexpr std::array<double, 6> gamma_star{1, 1 / 2., 1 / 12., 1 / 24., 19 / 720., 3 / 160.};
-  const auto p = static_cast<std::size_t>(method.order);
-  return method.name.starts_with("odeint_abm") ? gamma[p - 1] * gamma[p] / gamma_star[p] : 0;
 }
 
 double gate_of(const Slope& slope, double least, const MethodInfo& method, const Problem& problem) {

@@ -43,6 +43,12 @@ struct Exponents {
 };
 Exponents predicted_exponents(const MethodInfo& method, const Problem& problem);
 
+// P(EC)E by Adams's formulas of order p errs by C h^(p+1) y^(p+1) of the corrector and, since the rate there is taken
+// at the predicted place, by b0 h J C_P h^(p+1) y^(p+1) more: the next power of the step, with the factor
+//   b0 C_P/C = gamma_(p-1) gamma_p / |gamma*_p|,   1, 2.5, 3.75, 4.95, 6.13 for p = 1 to 5,
+// over the first; 0 for other methods. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, III.1.
+double predictors_share(const MethodInfo& method);
+
 // How far log error may stand from the line. On a smooth force by 3 %: what the next power of the step bends it by, over
 // six steps of which the longest leaves an error of a thirtieth. With an event each error is the root of a mean square
 // over where in a step it falls, and at worst one of these places makes the whole error: it is hit or missed, the mean

@@ -6,6 +6,7 @@
 namespace furrow::verification {
 
 Json order(const Settings& settings);
+Json published(const Settings& settings);
 Json stability(const Settings& settings);
 
 }  // namespace furrow::verification
