@@ -19,7 +19,10 @@ namespace {
 using test::BothSolvers;
 
 double part(int of_thousand) { return 1e-3 * of_thousand; }
-int up_to(int most) { return *rc::gen::inRange(0, most + 1); }
+
+// All of them alike from the first scene on: by itself RapidCheck begins with the least.
+int up_to(int most) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, most + 1)); }
+
 bool either() { return *rc::gen::arbitrary<bool>(); }
 
 struct Thrown {
@@ -102,11 +105,13 @@ void add_lattices(Scene& s) {
     l.damper = either() ? Damper::full : Damper::axial;
     l.tear = either() ? TearRule::magnitude : TearRule::tension;
     l.auxiliary_points = either() ? 9 : 0;
-    const double strength = either() ? 1 + up_to(30) : infinity;
+    // Weak ones tear where they start, several links of a node at once.
+    const double strength = either() ? 0.5 + 0.2 * up_to(30) : infinity;
     l.structural = {2000, 1, strength};
     if (either()) l.shear = {2000, 0, strength};
     if (either()) l.bending = {500, 1, strength};
-    if (either()) l.node = {{0, 0, {1e-3 * up_to(3), 0}, {0.1 * up_to(9), 0}, {1.0 * up_to(5), 0}}};
+    const Vec2 off{1e-3 * (up_to(8) - 4), 1e-3 * (up_to(8) - 4)};
+    if (either()) l.node = {{l.rows - 1, 0, off, {0.1 * up_to(9), 0}, {1.0 * up_to(5), 0}}};
     s.lattice.push_back(l);
   }
 }
