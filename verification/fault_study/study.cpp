@@ -317,7 +317,7 @@ int main_of(int argc, char** argv) {
   const fs::path result = places.work / "faults.json";
   ordered_json report = study.report(earlier);
   seal(report);
-  OutputFile file(result);
+  OutputFile file = OutputFile::rewriting(result);
   file << report.dump(1) << "\n";
   file.finish();
   std::printf("%zu tried, %d not noticed or in trouble; %s\n", count, study.bad(), result.c_str());
