@@ -1,7 +1,8 @@
 """The README pages of the project: what they show runs, what they quote stands in the files, what they name exists.
 
 Blocks of a page run in its order, in a copy of the sources: ```sh line by line, ```python as one program a page, ```toml NAME
-becomes that file. ```cpp FILE must be a piece of that file, which tests of its own build and run. There is no other kind.
+becomes that file. ```cpp FILE must be a piece of that file, which tests of its own build and run. ```yaml is for another machine: only that
+what it runs exists is tested. There is no other kind.
 """
 
 import json
@@ -86,9 +87,12 @@ class Pages(unittest.TestCase):
                     (self.copy / name).write_text(text)
                 elif kind == "cpp":
                     self.assertIn(text, (source / name).read_text(), f"{page} shows what is not in {name}")
+                elif kind == "yaml":
+                    for script, option in re.findall(r"run: (scripts/\w+) (--\w+)", text):
+                        self.assertIn(option, (source / script).read_text())
                 else:
                     self.fail(f"{page}: a block of kind {what!r} is tested by nothing")
-        self.assertEqual(kinds, {"sh", "python", "toml", "cpp"})
+        self.assertEqual(kinds, {"sh", "python", "toml", "cpp", "yaml"})
 
     def test_what_the_blocks_make_again_is_what_is_in_the_repository(self):
         for line in [line for what, text in blocks_of("src/scene/README.md") for line in text.splitlines() if ">" in line]:
