@@ -67,11 +67,10 @@ void carry(Method& method, State& y, std::vector<double> numbers) {
 }
 
 // A step as a matrix on all that it leads from one to the next: on a linear system it is linear.
-Eigen::MatrixXd step_matrix(const std::string& name, double zeta, double h) {
+Eigen::MatrixXd step_matrix(const std::string& name, const OdeSystem& system, double h) {
   constexpr int opening_steps = 8;  // the longest history is of five
   const auto method = make_method(name);
-  const UnitOscillator system(zeta);
-  State y{1, 1};
+  State y(system.size(), 1.0);
   for (int n = 0; n < opening_steps; ++n) method->step(system, n * h, y, h);
   const std::size_t size = carried(*method, y).size();
   Eigen::MatrixXd matrix(size, size);
@@ -86,9 +85,12 @@ Eigen::MatrixXd step_matrix(const std::string& name, double zeta, double h) {
   return matrix;
 }
 
+Eigen::VectorXcd eigenvalues(const std::string& name, const OdeSystem& system, double h) {
+  return Eigen::EigenSolver<Eigen::MatrixXd>(step_matrix(name, system, h), false).eigenvalues();
+}
+
 bool grows(const std::string& name, double zeta, double h) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(step_matrix(name, zeta, h), false);
-  return !(solver.eigenvalues().cwiseAbs().maxCoeff() <= std::exp(growth_seen));
+  return !(eigenvalues(name, UnitOscillator(zeta), h).cwiseAbs().maxCoeff() <= std::exp(growth_seen));
 }
 
 // In units of 1/omega. Steps lengthen until one grows: a region of stability need not begin at zero, and what lies
@@ -110,6 +112,11 @@ double first_growing_step(const std::string& name, double zeta) {
 }
 
 }  // namespace
+
+std::vector<std::complex<double>> step_eigenvalues(const std::string& method, const OdeSystem& linear, double h) {
+  const Eigen::VectorXcd values = eigenvalues(method, linear, h);
+  return {values.begin(), values.end()};
+}
 
 double largest_stable_step(const std::string& name, const Oscillator& o) {
   if (make_method(name)->info().controlled || o.omega == 0) return std::numeric_limits<double>::infinity();

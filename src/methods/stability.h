@@ -3,9 +3,17 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <string>
+#include <vector>
+
+#include "system/ode.h"
 
 namespace furrow {
+
+// Of one step of h on a linear system y' = J y, taken as a map of y and all states that the method remembers. It is
+// found by running the method itself, once its opening steps are made.
+std::vector<std::complex<double>> step_eigenvalues(const std::string& method, const OdeSystem& linear, double h);
 
 // x'' = -2 zeta omega x' - omega^2 x.
 struct Oscillator {

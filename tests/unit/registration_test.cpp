@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "midpoint_from_outside.h"
 #include "oscillator.h"
 #include "run/run.h"
 #include "scenes.h"
@@ -12,51 +13,21 @@ namespace {
 
 using namespace test;
 
-// y + h f at the middle, by Euler's half step: the midpoint rule.
-class Midpoint final : public Method {
- public:
-  Midpoint() : Method({"midpoint_from_outside", "explicit midpoint rule", 2, 2, false}) {}
-
-  double step(const OdeSystem& system, double t, State& y, double h) override {
-    rate_.resize(y.size());
-    evaluate_start(system, t, y, rate_);
-    State middle = y;
-    for (std::size_t i = 0; i < y.size(); ++i) middle[i] += h / 2 * rate_[i];
-    evaluate(system, t + h / 2, middle, rate_);
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h * rate_[i];
-    return h;
-  }
-
- private:
-  State rate_;
-};
-
-MethodEntry midpoint() {
-  const auto make = [](const Tolerances&) -> std::unique_ptr<Method> { return std::make_unique<Midpoint>(); };
-  return {make({})->info(), make};
-}
-
-// One for all tests: a name is taken once.
-void registered() {
-  static const bool once = (register_method(midpoint()), true);
-  ASSERT_TRUE(once);
-}
-
 TEST(Registration, AMethodFromOutsideIsInTheCatalogueAndIsMadeByItsName) {
-  registered();
+  register_midpoint();
   const auto& all = method_catalogue();
   EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const auto& m) { return m.name == "midpoint_from_outside"; }), 1);
   EXPECT_EQ(make_method("midpoint_from_outside")->info().order, 2);
 }
 
 TEST(Registration, ANameIsTakenOnce) {
-  registered();
-  EXPECT_THROW(register_method(midpoint()), std::invalid_argument);
-  EXPECT_THROW(register_method({make_method("pece")->info(), midpoint().make}), std::invalid_argument);
+  register_midpoint();
+  EXPECT_THROW(register_method(midpoint_entry()), std::invalid_argument);
+  EXPECT_THROW(register_method({make_method("pece")->info(), midpoint_entry().make}), std::invalid_argument);
 }
 
 TEST(Registration, AMethodFromOutsideCarriesASceneWithItsOrder) {
-  registered();
+  register_midpoint();
   const auto error = [](double h) {
     const auto method = make_method("midpoint_from_outside");
     const Oscillator system(1, 0);

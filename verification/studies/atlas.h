@@ -1,5 +1,5 @@
 // The stability atlas: for each method the largest stable omega h over the damping ratio, by its amplification factor
-// and by the solver's own blow-up.
+// and by the solver's own blow-up. A new method comes in by itself.
 #pragma once
 
 #include "report/study.h"
@@ -19,10 +19,13 @@ struct AtlasEntry {
   std::vector<AtlasLimit> limits;
 };
 
-// Of all methods of the catalogue whose theory is known, own ones first. Measured at these damping ratios.
+// Of all methods of the catalogue that take fixed steps, own ones first; those with one amplification together.
+std::vector<AtlasEntry> atlas_by_theory();
+
+// With limits, by theory and measured, at these damping ratios.
 std::vector<AtlasEntry> make_atlas(const Settings& settings, const std::vector<double>& zetas);
 
-// Methods of the catalogue that stand in no entry: they choose their own step, or their theory is not written down.
+// Methods of the catalogue that stand in no entry: they choose their own step.
 std::vector<std::string> methods_outside(const std::vector<AtlasEntry>& atlas);
 
 // The scene's fastest part as an oscillator at a step, to be marked in the atlas.

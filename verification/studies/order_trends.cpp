@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "verification/studies/amplification.h"
+#include "verification/studies/published_schemes.h"
 
 namespace furrow::verification {
 namespace {

@@ -30,7 +30,7 @@ struct Drift {
 };
 std::optional<Drift> predicted_drift(const std::string& method);
 
-// The same, whole, from the amplification of the method's scheme (amplification.h), where one is written down.
+// The same, whole, from the amplification of the method's scheme (published_schemes.h), where one is written down.
 std::optional<double> amplified_drift(const std::string& method, double angle);
 
 // The order in which a run through a Hertz impact that is reversed and run back misses its start. With the modified

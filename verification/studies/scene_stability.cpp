@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <numbers>
 #include <random>
 
@@ -122,44 +124,60 @@ double own_growth(const Standing& s) {
   return growth > growth_in_scenes ? growth / h : 0;
 }
 
-std::function<Matrix(const Matrix&)> times(const Linearised& l, double h) {
-  return [&l, h](const Matrix& v) -> Matrix {
-    Matrix product(v.rows(), v.cols());
-    product.real() = h * (l.rates * v.real());
-    product.imag() = h * (l.rates * v.imag());
-    return product;
-  };
-}
+// e' = J e, of the numbers that act.
+class Linear final : public OdeSystem {
+ public:
+  explicit Linear(const Linearised& l) : l_(l) {}
+  std::size_t size() const override { return static_cast<std::size_t>(l_.rates.rows()); }
+  std::size_t positions() const override { return static_cast<std::size_t>(l_.positions); }
+  void rhs(double /*t*/, const State& e, State& dedt) const override {
+    const auto n = static_cast<Eigen::Index>(e.size());
+    Eigen::Map<Eigen::VectorXd>(dedt.data(), n) = l_.rates * Eigen::Map<const Eigen::VectorXd>(e.data(), n);
+  }
 
-// Growth of the method's linear form on the whole Jacobian, by iteration.
-bool linear_form_grows(const Standing& s, const Scheme& scheme, double h) {
-  const Eigen::Index n = s.linearised.rates.rows();
-  const LinearSystem system{times(s.linearised, h), n, s.linearised.positions};
-  const State e = random_hair(s);
-  Matrix start(n, 1);
-  for (Eigen::Index k = 0; k < n; ++k) start(k, 0) = e[s.linearised.acting[k]];
-  std::vector<Matrix> memory(static_cast<std::size_t>(scheme.blocks), Matrix::Zero(n, 1));
-  memory[0] = start;
+ private:
+  const Linearised& l_;
+};
+
+// Growth of the method's own steps on the whole Jacobian, by iteration.
+bool linear_form_grows(const Standing& s, const std::string& name, double h) {
+  const Linear linear(s.linearised);
+  const State all = random_hair(s);
+  State e;
+  for (const int place : s.linearised.acting) e.push_back(all[place]);
+  const auto method = make_method(name);
+  const auto motion = static_cast<Eigen::Index>(2 * linear.positions());
   Growth growth(frozen_steps, growth_in_scenes);
   for (int step = 0; step < frozen_steps; ++step) {
-    const Matrix before = memory[0].topRows(2 * s.linearised.positions);
-    scheme.step(system, memory);
-    const double size = (memory[0].topRows(2 * s.linearised.positions) - before).norm();
+    const State before = e;
+    method->step(linear, step * h, e, h);
+    const double size =
+        (Eigen::Map<const Eigen::VectorXd>(e.data(), motion) - Eigen::Map<const Eigen::VectorXd>(before.data(), motion))
+            .norm();
     if (!growth.add(size * std::exp(-s.own_growth * h * step))) break;
   }
   return growth.seen();
 }
 
+// The rim of the stable region, by direction from the imaginary axis to the negative real one; of a method once.
+constexpr int directions = 90;
+const std::vector<double>& rim_of(const std::string& method, double growth) {
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, double>, std::vector<double>> known;
+  const std::scoped_lock lock(mutex);
+  const auto [found, fresh] = known.try_emplace({method, growth});
+  for (int k = 0; fresh && k <= directions; ++k) {
+    const double angle = std::numbers::pi * (0.5 + 0.5 * k / directions);
+    found->second.push_back(largest_stable_radius(method, std::polar(1.0, angle), growth, 1e3));
+  }
+  return found->second;
+}
+
 // s, the least of r(arg lambda)/|lambda|; which eigenvalue. The rim is tabulated to sort the eigenvalues, then computed
 // at those that come first.
-std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd& values, const Scheme& scheme,
+std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd& values, const std::string& method,
                                                           double growth = growth_in_scenes) {
-  constexpr int directions = 90;
-  std::vector<double> rim(directions + 1);
-  for (int k = 0; k <= directions; ++k) {
-    const double angle = std::numbers::pi * (0.5 + 0.5 * k / directions);
-    rim[k] = largest_stable_radius(scheme, std::polar(1.0, angle), growth, 1e3);
-  }
+  const std::vector<double>& rim = rim_of(method, growth);
   const double largest = values.cwiseAbs().maxCoeff();
   std::vector<std::pair<double, std::complex<double>>> limits;
   for (const std::complex<double>& value : values) {
@@ -173,7 +191,7 @@ std::pair<double, std::complex<double>> limit_by_spectrum(const Eigen::VectorXcd
   std::partial_sort(limits.begin(), limits.begin() + static_cast<std::ptrdiff_t>(first), limits.end(), sooner);
   limits.resize(first);
   if (limits.empty()) return {infinity, 0};
-  for (auto& [limit, value] : limits) limit = largest_stable_radius(scheme, value, growth, 1e3) / std::abs(value);
+  for (auto& [limit, value] : limits) limit = largest_stable_radius(method, value, growth, 1e3) / std::abs(value);
   return *std::min_element(limits.begin(), limits.end(), sooner);
 }
 
@@ -183,7 +201,7 @@ Standing standing(System system, double t, State y, Eigen::Index dense) {
   Standing s{std::move(system), t, std::move(y)};
   s.linearised = linearise(s.system, t, s.y);
   s.values = spectrum(s.linearised, dense);
-  s.fastest = limit_by_spectrum(s.values, *scheme_of("pece")).second;
+  s.fastest = limit_by_spectrum(s.values, "pece").second;
   if (s.fastest == 0.0) return s;
   s.driver = driver_of(s.system, t, s.y, s.linearised, eigenvector(s.linearised, s.fastest), s.fastest);
   if (s.driver.name.empty()) {  // contacts that begin just here: a stiffness of differences alone
@@ -209,11 +227,10 @@ Standing standing_at(Scene scene, double t, const std::function<bool(double, dou
 }
 
 double predicted_step(const Standing& s, const std::string& method, double growth) {
-  const Scheme* scheme = scheme_of(method);
-  if (!scheme) return NAN;
+  if (make_method(method)->info().controlled) return NAN;
   if (s.fastest == 0.0) return infinity;
-  if (scheme->by_eigenvalue) return limit_by_spectrum(s.values, *scheme, growth).first;
-  return by_bisection([&](double h) { return linear_form_grows(s, *scheme, h); }, 1 / std::abs(s.fastest));
+  if (acts_by_eigenvalue(method)) return limit_by_spectrum(s.values, method, growth).first;
+  return by_bisection([&](double h) { return linear_form_grows(s, method, h); }, 1 / std::abs(s.fastest));
 }
 
 double measured_step(const Standing& s, const std::string& method, double guess) {
@@ -252,7 +269,7 @@ EnergyBalance run_on(const Standing& s, const std::string& method, double h, int
 double EnergyBalance::made() const { return supplied > 0 ? residual / supplied : NAN; }
 
 bool has_stable_step(const Standing& s, const MethodInfo& method) {
-  return !method.controlled && !method.dense_jacobian && scheme_of(method.name) && refusal(method, s.system).empty();
+  return !method.controlled && !method.dense_jacobian && refusal(method, s.system).empty();
 }
 
 StableStep stable_step(const Standing& s, const std::string& method) {

@@ -43,7 +43,7 @@ struct StableStep {
 
 // By theory. Methods that act on each eigenvalue alone: the least over the spectrum of the distance from zero to the
 // rim of the stability region. Others: growth of their linear form on the whole Jacobian. Eigenvalues within 1e-6 of
-// zero, of the largest, are those of rigid motion and left out. NaN if the method's theory is not known.
+// zero, of the largest, are those of rigid motion and left out. NaN of a controlled method.
 double predicted_step(const Standing& s, const std::string& method, double growth = growth_in_scenes);
 
 // The solver's right-hand side and the method itself, time held still:  e' = f(t0, y0 + e) - f(t0, y0)  from a small
@@ -64,7 +64,7 @@ struct EnergyBalance {
 };
 EnergyBalance run_on(const Standing& s, const std::string& method, double h, int steps = 200);
 
-// Whether `method` can run the scene by fixed steps, and its theory is known.
+// Whether `method` can run the scene by fixed steps.
 bool has_stable_step(const Standing& s, const MethodInfo& method);
 
 // Predicted and measured.

@@ -104,10 +104,9 @@ Figure spectrum_figure(const std::vector<StandingScene>& scenes) {
   Figure figure{.name = "stability_spectrum", .script = "stability_spectrum.gp"};
   figure.description = "Eigenvalues of the scenes times the step, in the complex plane over the stable region of pece.";
   Json region = Json::array();
-  const Scheme& scheme = *scheme_of("pece");
   for (int k = 0; k <= 120; ++k) {
     const std::complex<double> direction = std::polar(1.0, std::numbers::pi * (0.5 + k / 240.0));
-    const std::complex<double> rim = largest_stable_radius(scheme, direction) * direction;
+    const std::complex<double> rim = largest_stable_radius("pece", direction) * direction;
     region.push_back({rounded(rim.real()), rounded(rim.imag())});
   }
   figure.blocks["region"] = region;
@@ -121,7 +120,7 @@ Figure spectrum_figure(const std::vector<StandingScene>& scenes) {
     int outside = 0;
     for (const std::complex<double>& v : s.values) {
       const std::complex<double> z = s.own_step * v;
-      const bool out = z.real() < 0 && std::abs(z) > largest_stable_radius(scheme, z, growth_seen, 10);
+      const bool out = z.real() < 0 && std::abs(z) > largest_stable_radius("pece", z, growth_seen, 10);
       outside += out ? 1 : 0;
       values.push_back({rounded(z.real()), rounded(z.imag()), out ? 1 : 0});
       left = std::min(left, 1.05 * z.real());
