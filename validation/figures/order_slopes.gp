@@ -1,4 +1,4 @@
-# Error against step, a panel for each kind of force. Given: panels, blocks points (panel curve step error), theory (panel
+# Error against step, a panel for each kind of force. Given: panels, curves, blocks points (panel curve step error), theory (panel
 # step error step error), panel (panel low high title), labels (panel step error slope), names (curve 0 name).
 across = 4
 down = ceil((panels + 1) / across)
@@ -44,7 +44,7 @@ do for [p=0:panels-1] {
   if (p + across >= panels) { set xlabel 'step' offset 0, 0.8 } else { unset xlabel }
   if (column_of != 0) { unset ylabel } else { set ylabel 'error' offset 1.4, 0 }
   plot $theory using ($1 == p ? $2 : NaN):3:($4 - $2):($5 - $3) with vectors nohead ls 9, \
-       for [k=0:5] $points using ($1 == p && $2 == k ? $3 : NaN):4 with linespoints ls k + 1, \
+       for [k=0:curves - 1] $points using ($1 == p && $2 == k ? $3 : NaN):4 with linespoints ls (k < 5 ? k + 1 : 6), \
        $labels using ($1 == p ? $2 : NaN):3:(strcol(4)) with labels right offset -0.5, 0 font ',12' tc rgb '#444444', \
        $panel using ($1 == p ? sqrt(step_min * step_max) : NaN):3:(strcol(4)) with labels offset 0, 0.9 font ',14' noenhanced
 }
@@ -60,10 +60,11 @@ unset xlabel
 unset ylabel
 unset logscale
 set xrange [0:across - column_of]
-set yrange [7:-0.5]
-plot for [k=0:5] $names using ($1 == k ? 0 : NaN):0:(0.25):(0) with vectors nohead ls k + 1, \
-     for [k=0:5] $names using ($1 == k ? 0.125 : NaN):0 with points ls k + 1, \
+last = curves < 6 ? 6 : curves
+set yrange [last + 1:-0.5]
+plot for [k=0:curves - 1] $names using ($1 == k ? 0 : NaN):0:(0.25):(0) with vectors nohead ls (k < 5 ? k + 1 : 6), \
+     for [k=0:curves - 1] $names using ($1 == k ? 0.125 : NaN):0 with points ls (k < 5 ? k + 1 : 6), \
      $names using (0.3):0:(strcol(3)) with labels left font ',14' noenhanced, \
-     '+' using (0):(6):(0.25):(0) every ::0::0 with vectors nohead ls 9, \
-     '+' using (0.3):(6):('predicted slope') every ::0::0 with labels left font ',14'
+     '+' using (0):(last):(0.25):(0) every ::0::0 with vectors nohead ls 9, \
+     '+' using (0.3):(last):('predicted slope') every ::0::0 with labels left font ',14'
 unset multiplot

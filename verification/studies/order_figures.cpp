@@ -1,7 +1,6 @@
 #include "verification/studies/order_figures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -30,8 +29,17 @@ double rounded_to_6(double value) {
   return std::round(value * scale) / scale;
 }
 
-// Own methods in colour, a line of order.gp's styles each.
-constexpr std::array<const char*, 6> drawn{"pece", "ab2", "verlet", "symplectic_euler", "rk4", "imex"};
+// Own methods of fixed steps. The first five have a style of order_slopes.gp each, any others share the last one; pec and
+// pecece would lie on pece.
+std::vector<std::string> drawn() {
+  std::vector<std::string> names{"pece", "ab2", "verlet", "symplectic_euler", "rk4"};
+  for (const MethodInfo& m : method_catalogue()) {
+    const bool seen =
+        m.name == "pec" || m.name == "pecece" || std::find(names.begin(), names.end(), m.name) != names.end();
+    if (m.family == "own" && !m.controlled && !seen) names.push_back(m.name);
+  }
+  return names;
+}
 
 }  // namespace
 
@@ -83,11 +91,12 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
 Figure slopes_figure(const Observations& all) {
   Json points = Json::array(), theory = Json::array(), panels = Json::array(), labels = Json::array();
   double panel = 0;
+  const std::vector<std::string> curves = drawn();
   for (const Problem& p : problems()) {
     double least = 1, most = 1e-16;
     std::vector<double> labelled;
-    for (std::size_t k = 0; k < drawn.size(); ++k) {
-      const auto found = all.points.find({drawn[k], p.name});
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      const auto found = all.points.find({curves[k], p.name});
       if (found == all.points.end()) continue;
       const std::vector<Point>& series = found->second;
       for (const Point& point : series) {
@@ -97,7 +106,7 @@ Figure slopes_figure(const Observations& all) {
         least = std::min(least, point.position);
         most = std::max(most, point.position);
       }
-      const Verdict& v = all.verdicts.at({drawn[k], p.name});
+      const Verdict& v = all.verdicts.at({curves[k], p.name});
       if (!v.predicted || v.position.points < 4) continue;
       // The predicted slope through the middle of the measured points.
       const Point& middle = series[series.size() / 2];
@@ -116,8 +125,8 @@ Figure slopes_figure(const Observations& all) {
     ++panel;
   }
   Json names = Json::array();
-  for (std::size_t k = 0; k < drawn.size(); ++k) {
-    if (all.trends.contains(drawn[k])) names.push_back({static_cast<double>(k), 0, drawn[k]});
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    if (all.trends.contains(curves[k])) names.push_back({static_cast<double>(k), 0, curves[k]});
   }
   const auto order = [&](const char* method, const char* p) {
     return fixed(all.verdicts.at({method, p}).position.value, 2);
@@ -128,7 +137,7 @@ Figure slopes_figure(const Observations& all) {
       "predicted slope, with its number. On a smooth force rk4 has order " +
       order("rk4", "lattice") + ", through a Hertz contact " + order("rk4", "hertz") + ", through a damped one " +
       order("rk4", "damped_hertz") + " like pece with " + order("pece", "damped_hertz") + ".";
-  figure.variables = {{"panels", panel}};
+  figure.variables = {{"panels", panel}, {"curves", curves.size()}};
   figure.blocks = {{"points", points}, {"theory", theory}, {"panel", panels}, {"labels", labels}, {"names", names}};
   return figure;
 }
@@ -140,9 +149,9 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
   for (const MethodInfo& method : method_catalogue()) {
     const auto drift = predicted_drift(method.name);
     const auto found = all.trends.find(method.name);
-    if (!drift || found == all.trends.end() || !found->second.contains("drift") ||
-        method.name.starts_with("odeint_rk") || method.name.starts_with("odeint_ab") ||
-        method.name.starts_with("odeint_s") || method.name.starts_with("odeint_v"))
+    if (found == all.trends.end() || !found->second.contains("drift") || method.name.starts_with("odeint_rk") ||
+        method.name.starts_with("odeint_ab") || method.name.starts_with("odeint_s") ||
+        method.name.starts_with("odeint_v"))
       continue;
     const Json& measured = found->second["drift"];
     double first = 0;  // at the greatest angle
@@ -152,7 +161,7 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
       if (k == 0) first = value;
       points.push_back({curve, angles[k], rounded_to_6(std::fabs(value)), value > 0 ? 1 : 0});
     }
-    if (drift->factor != 0) {
+    if (drift && drift->factor != 0) {
       for (const double angle : {angles.front(), angles.back()})
         theory.push_back({curve, angle, rounded_to_6(std::fabs(drift->factor) * std::pow(angle, drift->power))});
     }
