@@ -1,5 +1,6 @@
 # Error against step, a panel for each kind of force. Given: panels, curves, blocks points (panel curve step error), theory (panel
 # step error step error), panel (panel low high title), labels (panel step error slope), names (curve 0 name).
+if (!exists('curves')) curves = 6  # of a study kept before there was a number
 across = 4
 down = ceil((panels + 1) / across)
 wide = 1080.0
