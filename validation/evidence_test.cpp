@@ -12,7 +12,6 @@
 
 #include "output/files.h"
 #include "report/seal.h"
-#include "validation/page/gnuplot.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/kept_ensemble.h"
 
@@ -279,21 +278,6 @@ TEST(Evidence, AFaultThatWasNotNoticedOrNotTriedIsNamed) {
     seal(spoilt);
     write(file, spoilt);
     EXPECT_NE(unusable_faults(file), "") << way.name;
-  }
-}
-
-// ---- figures ----
-
-TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
-  Place place;
-  const std::string path = std::getenv("PATH");
-  for (const std::string body : {"", "echo '<svg'"}) {
-    Drawings drawings{{"x.svg", "<svg>old</svg>"}};
-    std::ofstream(place.path / "gnuplot") << "#!/bin/sh\n" << body << "\nexit 0\n";
-    fs::permissions(place.path / "gnuplot", fs::perms::owner_all);
-    setenv("PATH", (place.path.string() + ":" + path).c_str(), 1);
-    EXPECT_THROW(draw({}, "plot x", drawings, "x", "x"), std::runtime_error) << body;
-    setenv("PATH", path.c_str(), 1);
   }
 }
 
