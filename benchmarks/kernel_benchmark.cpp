@@ -13,9 +13,9 @@
 
 namespace {
 
-using furrow::TouchBlock;
+using furrow::TouchBatch;
 
-constexpr int contacts = TouchBlock::capacity;
+constexpr int contacts = TouchBatch::capacity;
 constexpr double radius = 0.01;  // m
 
 void count_contacts(benchmark::State& state) {
@@ -30,7 +30,7 @@ struct Patch {
   std::vector<furrow::DiscRow> rows = std::vector<furrow::DiscRow>(discs);
   std::vector<furrow::DiscLoad> load = std::vector<furrow::DiscLoad>(discs);
   std::vector<double> spring = std::vector<double>(contacts + 1), rate = spring;  // the last one is the dummy
-  std::unique_ptr<TouchBlock> block = std::make_unique<TouchBlock>();
+  std::unique_ptr<TouchBatch> batch = std::make_unique<TouchBatch>();
   furrow::ContactLaw law = furrow::contact_law({2e5, -0.5}, {2e5, -0.5}, 20, 0.5, 0.5, false);
   furrow::ContactModel model{&law, true, true, 1e-2};
 
@@ -44,7 +44,7 @@ struct Patch {
       vy.push_back(1e-4 * (i % 7));
       spin.push_back(1e-3 * (i % 5));
     }
-    TouchBlock& c = *block;
+    TouchBatch& c = *batch;
     for (int i = 0; c.count < contacts; ++i) {
       for (const int step : {1, a_row - 1, a_row}) {
         const bool leaves_row = (step == 1 && i % a_row == a_row - 1) || (step == a_row - 1 && i % a_row == 0);
@@ -54,7 +54,7 @@ struct Patch {
         c.own_b[c.count++] = i + step;
       }
     }
-    c.look_at_own();
+    c.use_own();
     c.radius_a.fill(radius);
     c.radius_b.fill(radius);
     c.reduced_radius.fill(radius / 2);
@@ -63,16 +63,16 @@ struct Patch {
   }
 
   void gather() {
-    furrow::line_up(x.data(), y.data(), vx.data(), vy.data(), rows.data(), 0, rows.size());
-    furrow::pair_up(*block, {rows.data(), spin.data(), nullptr, 1, 0});
-    furrow::take_springs(*block, spring.data(), contacts);
+    furrow::interleave(x.data(), y.data(), vx.data(), vy.data(), rows.data(), 0, rows.size());
+    furrow::locate_pairs(*batch, {rows.data(), spin.data(), nullptr, 1, 0});
+    furrow::gather_springs(*batch, spring.data(), contacts);
   }
 
   // The law as physics/contact.h states it, contact by contact.
   bool right() const {
     int pushing = 0;
     for (int k = 0; k < contacts; ++k) {
-      const int a = block->a[k], b = block->b[k];
+      const int a = batch->a[k], b = batch->b[k];
       const double dx = x[b] - x[a], dy = y[b] - y[a];
       const double distance = std::sqrt(dx * dx + dy * dy), overlap = 2 * radius - distance;
       const double nx = dx / distance, ny = dy / distance, arm = radius - 0.5 * overlap;
@@ -80,16 +80,16 @@ struct Patch {
       const furrow::Touch touch{overlap,
                                 relative_x * nx + relative_y * ny,
                                 relative_y * nx - relative_x * ny + (spin[a] * arm + spin[b] * arm),
-                                spring[block->slot[k]],
+                                spring[batch->slot[k]],
                                 spin[a] - spin[b],
                                 radius / 2,
                                 0.15};
       const furrow::TouchForce f = furrow::hertz_mindlin(law, touch, model.rolling_smoothing);
       pushing += f.normal > 0 ? 1 : 0;
-      if (-f.normal * nx - f.tangential * ny != block->fx[k]) return false;
-      if (-f.normal * ny + f.tangential * nx != block->fy[k]) return false;
-      if (arm * f.tangential - f.moment != block->torque_b[k]) return false;
-      if (touch.slip != block->slip[k]) return false;
+      if (-f.normal * nx - f.tangential * ny != batch->fx[k]) return false;
+      if (-f.normal * ny + f.tangential * nx != batch->fy[k]) return false;
+      if (arm * f.tangential - f.moment != batch->torque_b[k]) return false;
+      if (touch.slip != batch->slip[k]) return false;
     }
     return pushing > contacts / 2;
   }
@@ -99,7 +99,7 @@ void law(benchmark::State& state) {
   Patch bed;
   bed.gather();
   for (auto _ : state) {
-    furrow::evaluate(*bed.block, bed.model, false, false);
+    furrow::evaluate(*bed.batch, bed.model, {.returning = false, .all_fields = false});
     benchmark::ClobberMemory();
   }
   if (!bed.right()) state.SkipWithError("the kernel's forces are not those of the law");
@@ -111,9 +111,9 @@ void whole(benchmark::State& state) {
   for (auto _ : state) {
     std::fill(bed.load.begin(), bed.load.end(), furrow::DiscLoad{});
     bed.gather();
-    furrow::evaluate(*bed.block, bed.model, false, false);
-    furrow::add_loads(*bed.block, bed.block->b, bed.load.data());
-    furrow::put_by_place(*bed.block, bed.block->slip, bed.rate.data());
+    furrow::evaluate(*bed.batch, bed.model, {.returning = false, .all_fields = false});
+    furrow::add_loads(*bed.batch, bed.batch->b, bed.load.data());
+    furrow::scatter_to_slots(*bed.batch, bed.batch->slip, bed.rate.data());
     benchmark::ClobberMemory();
   }
   double sum = 0, size = 0;
@@ -122,7 +122,7 @@ void whole(benchmark::State& state) {
     size += std::fabs(load.fx);
   }
   for (int k = 0; k < contacts; ++k) {
-    if (bed.rate[bed.block->slot[k]] != bed.block->slip[k]) state.SkipWithError("a spring has another's rate");
+    if (bed.rate[bed.batch->slot[k]] != bed.batch->slip[k]) state.SkipWithError("a spring has another's rate");
   }
   // Each force stands twice, with either sign; of some 400 roundings each is below 1.1e-16 of the size.
   if (!bed.right() || !(std::fabs(sum) <= 1e-13 * size)) state.SkipWithError("actions and reactions do not cancel");

@@ -42,7 +42,7 @@ TEST(LargeBed, SumsItsForcesInAnyOrder) {
   State rates(y.size()), rates_back(y.size());
   bed.rhs(0, y, rates);
   backwards.rhs(0, y_back, rates_back);
-  expect_true("pairs that reach into another block", kernel_of(bed.solver()).search().spills > count / 2,
+  expect_true("pairs that reach into another block", kernel_of(bed.solver()).search().contributions > count / 2,
               "otherwise the test would be of nothing");
   double sum_x = 0, sum_y = 0, size = 0, largest = 0, change = 0, turned = 0, largest_turn = 0;
   for (int i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// The discrete state of a kernel, handed out and taken in.
+// The discrete state of a kernel, read and restored.
 #include <algorithm>
 #include <stdexcept>
 

@@ -16,7 +16,8 @@ JumpReport Kernel::jump(double t, State& y) {
     return_springs(t, y, report);
   } else if (watched_) {
     rates_.resize(y.size());
-    add_up(t, y, nullptr, rates_, [&](const TouchBlock& c, int chunk) { survey_block(c, chunk); });
+    const KeptSlots slots;
+    sum_rates(t, y, slots, rates_, [&](const TouchBatch& c, int block) { survey_batch(c, block); });
   }
   if (watched_) finish_survey();
   if (!preparing_) tear_links(t, y, report);
@@ -26,8 +27,9 @@ JumpReport Kernel::jump(double t, State& y) {
   return report;
 }
 
-// Springs return to |xi| <= mu Fn / St, that of an opened contact relaxes. The forces that this takes are those of the
-// state it leaves, so the rates there come with it. Each spring belongs to one contact, so it may be written at once.
+// Springs return to |xi| <= mu Fn / St; the spring of an open contact becomes 0. The forces computed on the way are
+// those of the state after the jump, so the rates of that state come as a by-product. Each spring belongs to one
+// contact, so threads may write springs without a lock.
 void Kernel::return_springs(double t, State& y, JumpReport& report) {
   ++slots_.now;
   rates_.resize(y.size());
@@ -35,29 +37,29 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
   slots_.state = &y;
   slots_.spring = y.data() + layout_.first_spring;
   std::atomic<bool> changed = false;
-  std::fill(chunk_returned_.begin(), chunk_returned_.end(), 0.0);
+  std::fill(block_returned_.begin(), block_returned_.end(), 0.0);
   slots_.relaxed = false;
-  double& returned = chunk_returned_[0];
+  double& returned = block_returned_[0];
   if (parts_->keeps_ledger) returned = y[layout_.ledger_of(friction_work)];
-  add_up(t, y, &slots_, rates_, [&](const TouchBlock& c, int chunk) {
-    if (put_returned(c, slots_.spring)) changed = true;
-    if (watched_) survey_block(c, chunk);
+  sum_rates(t, y, slots_, rates_, [&](const TouchBatch& c, int block) {
+    if (scatter_returned(c, slots_.spring)) changed = true;
+    if (watched_) survey_batch(c, block);
     if (!parts_->keeps_ledger) return;
-    double& sum = chunk_returned_[chunk];
+    double& sum = block_returned_[block];
     for (int k = 0; k < c.count; ++k)
       sum += 0.5 * c.shear_stiffness[k] * (c.held[k] * c.held[k] - c.spring[k] * c.spring[k]);
   });
-  empty_spares(y);
-  if (slots_.now == 1) {  // the state may come from elsewhere
+  clear_dummy_slots(y);
+  if (slots_.now == 1) {  // the caller's first state may have springs that no contact holds
     for (const int slot : slots_.unused) slots_.relax(slot);
   }
-  for (std::size_t k = 1; k < chunk_returned_.size(); ++k) returned += chunk_returned_[k];
+  for (std::size_t k = 1; k < block_returned_.size(); ++k) returned += block_returned_[k];
   if (parts_->keeps_ledger) y[layout_.ledger_of(friction_work)] = returned;
   report.springs_changed = changed || slots_.relaxed;
 }
 
-// Half as much room again, and what is wanted now. The new slots are taken last, as if they had been there always:
-// which contact holds which slot does not depend on when there was how much room.
+// Adds half as many slots again, and those wanted now. The new slots are taken last, as if they had always been there:
+// which contact holds which slot does not depend on when room was made.
 void Kernel::grow_slots(int wanting) {
   const int count = wanting + layout_.spring_count / 2;
   const Growth growth{static_cast<std::size_t>(count),
@@ -87,7 +89,7 @@ void Kernel::tear_links(double t, State& y, JumpReport& report) {
     released += 0.5 * force * stretch;
   }
   if (report.torn.empty()) return;
-  // A torn segment of the border lets go of the disc on it, and of what that contact held.
+  // A torn segment of the border no longer touches the disc on it, and the energy of that contact is released.
   if (parts_->keeps_ledger) released += lattice_contact_energy(t, y);
   for (const Tear& tear : report.torn) torn_[tear.link] = 1;
   std::erase_if(intact_, [this](int k) { return torn_[k] != 0; });

@@ -32,15 +32,15 @@ Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
   if (disc.count() > 1 && one_value(disc.material)) law_of_pairs_ = parts_->law_of(disc.material[0], disc.material[0]);
   alike_ = law_of_pairs_ >= 0 && one_value(disc.radius) && one_value(disc.mass);
   if (disc.count() > discs_per_block) threads_ = search.threads;
-  const int chunks = blocks_of(disc.count());
-  chunk_powers_.resize(static_cast<std::size_t>(chunks));
-  chunk_returned_.resize(static_cast<std::size_t>(chunks));
-  chunk_seen_.resize(static_cast<std::size_t>(chunks));
-  disc_block_.resize(static_cast<std::size_t>(threads_));
-  flat_block_.touching.fill(1);  // the others are left out of it
-  wall_block_.kind = disc_wall;
-  if (alike_) wall_block_.radius_a.fill(disc.radius[0]);
-  for (TouchBlock& c : disc_block_) {
+  const int blocks = blocks_of(disc.count());
+  block_powers_.resize(static_cast<std::size_t>(blocks));
+  block_returned_.resize(static_cast<std::size_t>(blocks));
+  block_seen_.resize(static_cast<std::size_t>(blocks));
+  disc_batch_.resize(static_cast<std::size_t>(threads_));
+  flat_batch_.touching.fill(1);  // it holds only contacts that touch
+  wall_batch_.kind = disc_wall;
+  if (alike_) wall_batch_.radius_a.fill(disc.radius[0]);
+  for (TouchBatch& c : disc_batch_) {
     if (!alike_) continue;
     c.law.fill(law_of_pairs_);
     c.radius_a.fill(disc.radius[0]);
@@ -56,7 +56,7 @@ Placement Kernel::placement(double t, const State& y) const {
 
 namespace {
 
-void fill(Contact& one, const TouchBlock& c, int k) {
+void fill(Contact& one, const TouchBatch& c, int k) {
   const bool discs = c.kind == disc_disc, lattice = c.kind == disc_lattice;
   one.id = {c.kind, c.a[k], c.b[k]};
   one.law = c.law[k];
@@ -78,7 +78,7 @@ void fill(Contact& one, const TouchBlock& c, int k) {
 
 }  // namespace
 
-Contact Kernel::contact_of(const TouchBlock& c, int k) {
+Contact Kernel::contact_of(const TouchBatch& c, int k) {
   Contact one;
   fill(one, c, k);
   return one;
@@ -87,7 +87,7 @@ Contact Kernel::contact_of(const TouchBlock& c, int k) {
 void Kernel::for_each_contact(double t, const State& y, const Visit& visit) const {
   const std::scoped_lock alone(lock_.mutex);
   Contact one;
-  for_each_touch(t, y, [&](const TouchBlock& c) {
+  for_each_touch(t, y, [&](const TouchBatch& c) {
     for (int k = 0; k < c.count; ++k) {
       fill(one, c, k);
       visit(one);

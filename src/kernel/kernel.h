@@ -1,5 +1,5 @@
-// The fast solver: neighbour lists, contacts in blocks evaluated at the widest vectors, threads. The reference judges
-// it, to the bit.
+// The fast solver: neighbour lists, contacts evaluated in batches at the widest vectors, threads. It must give the
+// reference's results to the bit.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace furrow {
 
-// Its const functions work in rooms of the kernel, one caller at a time: others wait. flow and jump are for the default
-// floating-point environment: rounding to nearest, no traps (see floating_point.h).
+// Its const functions share working memory, so they admit one caller at a time: others wait. flow and jump are for the
+// default floating-point environment: rounding to nearest, no traps (see floating_point.h).
 class Kernel final : public Solver {
  public:
   Kernel(const std::shared_ptr<const Parts>& parts, const Search& search);
@@ -37,16 +37,22 @@ class Kernel final : public Solver {
 
   const NeighbourSearch& search() const { return search_; }
 
-  // Calls sink(block) for the contacts that touch, kind by kind, sorted by pair, with the forces of the contact law.
+  // Calls sink(batch) for the contacts that touch, kind by kind, sorted by pair, with the forces of the contact law.
   template <class Sink>
   void for_each_touch(double t, const State& y, Sink&& sink) const;
 
  private:
-  // Slots for tangential springs that no contact holds; the last one is taken next.
-  struct Slots {
-    std::vector<int> unused;
+  // In a flow every contact keeps the slot that it holds, or has none.
+  struct KeptSlots {
+    static constexpr bool jumping = false;
+  };
+
+  // In a jump contacts take slots and give them back.
+  struct JumpingSlots {
+    static constexpr bool jumping = true;
+    std::vector<int> unused;                 // held by no contact; the last one is taken next
     std::uint32_t now = 0;                   // number of this jump; the first is 1, so that 0 is no jump
-    std::vector<std::vector<int>> changing;  // by chunk: first pairs of blocks where one takes or gives back a slot
+    std::vector<std::vector<int>> changing;  // by block: first pairs of batches where one takes or gives back a slot
     Kernel* kernel = nullptr;                // in a jump
     State* state = nullptr;                  // the one that is jumped
     Growth grown;                            // of it
@@ -55,55 +61,57 @@ class Kernel final : public Solver {
 
     void make_room(const Candidates& list, int first, int last) const;
 
-    void see(Candidates& list, int candidate, bool near);
+    void update(Candidates& list, int candidate, bool near);
     void relax(int slot);
   };
 
-  // Forces alone, the ledger's terms too, or all that a block names of those that touch.
-  enum class Asker { rates, ledger, onlooker };
+  // What a batch is evaluated for: forces; forces and the terms of the ledger; all fields, of the contacts that touch.
+  enum class Purpose { rates, rates_and_ledger, observation };
 
-  // One law of all contacts is quicker than that of each.
+  // One law for all contacts is quicker than a law for each.
   ContactModel model(bool one_law, int law) const {
     return {&parts_->law[one_law ? law : 0], one_law, parts_->rolling, parts_->rolling_smoothing};
   }
   ContactModel model_of_pairs() const { return model(law_of_pairs_ >= 0, law_of_pairs_); }
-  ContactModel model_of(const TouchBlock& c) const {
+  ContactModel model_of(const TouchBatch& c) const {
     return model(std::equal(c.law.begin() + 1, c.law.begin() + c.count, c.law.begin()), c.law[0]);
   }
-  int spare_of(int chunk) const { return layout_.spring_count + chunk; }
-  void empty_spares(State& of) const { std::fill_n(of.begin() + layout_.first_dummy(), layout_.dummy_slots, 0.0); }
+  int dummy_of(int block) const { return layout_.spring_count + block; }
+  void clear_dummy_slots(State& of) const { std::fill_n(of.begin() + layout_.first_dummy(), layout_.dummy_slots, 0.0); }
   Placement placement(double t, const State& y) const;
-  void look_around(double t, const State& y) const;
+  void update_positions(double t, const State& y) const;
   DiscMotion motion(const State& y) const;
-  template <class Sink>
-  void for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const;
-  template <class Sink>
-  void for_each_flat_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const;
-  template <class Also>
-  void add_up(double t, const State& y, Slots* slots, State& dydt, Also&& also) const;
-  void fetch_ahead(const State& y, int first, int last) const;
-  void hand_out_slots(const State& y, Slots& slots, State& dydt) const;
-  void point_at(TouchBlock& c, ContactKind kind, int first, int last) const;
-  void fill_discs(TouchBlock& c, const State& y, int first, int last) const;
-  void fill_walls(int first, int last, const State& y, Slots* slots) const;
-  template <ContactKind kind>
-  void fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const;
-  void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const;
-  void take_springs(TouchBlock& c, const State& y, int chunk) const;
+  template <class Slots, class Sink>
+  void for_each_disc_batch(const State& y, Slots& slots, Purpose purpose, Sink&& sink) const;
+  template <class Slots, class Sink>
+  void for_each_flat_batch(double t, const State& y, Slots& slots, Purpose purpose, Sink&& sink) const;
+  template <class Slots, class Also>
+  void sum_rates(double t, const State& y, Slots& slots, State& dydt, Also&& also) const;
+  void prefetch(const State& y, int first, int last) const;
+  void assign_slots(const State& y, JumpingSlots& slots, State& dydt) const;
+  void point_at(TouchBatch& c, ContactKind kind, int first, int last) const;
+  void fill_discs(TouchBatch& c, const State& y, int first, int last) const;
+  template <class Slots>
+  void fill_walls(int first, int last, const State& y, Slots& slots) const;
+  template <ContactKind kind, class Slots>
+  void fill_flat_of(int first, int last, double t, const State& y, Slots& slots) const;
+  template <class Slots>
+  void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots& slots) const;
+  void gather_springs(TouchBatch& c, const State& y, int block) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
-  void empty_loads(const Chunk& chunk) const;
-  void add_contacts(const TouchBlock& block, int chunk, double t, State& dydt) const;
-  void join_chunks() const;
+  void clear_loads(const DiscBlock& block) const;
+  void add_contacts(const TouchBatch& batch, int block, double t, State& dydt) const;
+  void join_blocks() const;
   void finish_rates(State& dydt) const;
   void add_link_forces(double* work) const;
-  void add_to_ledger(const TouchBlock& block, int chunk, double t, double* work) const;
+  void add_to_ledger(const TouchBatch& batch, int block, double t, double* work) const;
   void grow_slots(int wanting);
   void return_springs(double t, State& y, JumpReport& report);
   double lattice_contact_energy(double t, const State& y) const;
   void begin_survey();
-  void survey_block(const TouchBlock& block, int chunk);
-  static Contact contact_of(const TouchBlock& block, int k);
+  void survey_batch(const TouchBatch& batch, int block);
+  static Contact contact_of(const TouchBatch& batch, int k);
   void finish_survey();
   void tear_links(double t, State& y, JumpReport& report);
 
@@ -115,14 +123,14 @@ class Kernel final : public Solver {
 
   std::vector<char> torn_;
   std::vector<int> intact_;  // links, ascending
-  Slots slots_;
-  State rates_;                         // room for those that a jump leaves
-  std::vector<double> chunk_returned_;  // J, freed by a jump, chunk by chunk
+  JumpingSlots slots_;
+  State rates_;                         // after a jump
+  std::vector<double> block_returned_;  // J, freed by a jump, block by block
   bool watched_ = false;
   Survey survey_;
-  std::vector<ContactExtremes> chunk_seen_;
+  std::vector<ContactExtremes> block_seen_;
 
-  // A copy has a lock of its own.
+  // A copy of the kernel gets its own lock.
   struct Lock {
     Lock() = default;
     Lock(const Lock& /*other*/) {}
@@ -137,87 +145,91 @@ class Kernel final : public Solver {
   mutable NodeMotion nodes_;
   mutable std::vector<double> node_fx_, node_fy_;
   mutable std::vector<DiscRow> disc_row_;
-  mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each spill
-  mutable std::vector<ContactPowers> chunk_powers_;  // of the pairs of each chunk; the first takes all in the end
-  mutable std::vector<TouchBlock> disc_block_;       // one for each thread
-  mutable TouchBlock wall_block_, flat_block_;
+  mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each boundary contribution
+  mutable std::vector<ContactPowers> block_powers_;  // of the pairs of each block; in the end the first holds the sum
+  mutable std::vector<TouchBatch> disc_batch_;       // one for each thread
+  mutable TouchBatch wall_batch_, flat_batch_;
 };
 
-// Of a solver that is one; throws std::bad_cast if it is not.
+// The solver as a kernel; throws std::bad_cast if it is another.
 inline const Kernel& kernel_of(const Solver& solver) { return dynamic_cast<const Kernel&>(solver); }
 
-// Calls sink(block, chunk), for different chunks at once unless an onlooker asks.
-template <class Sink>
-void Kernel::for_each_disc_block(const State& y, Slots* slots, Asker asker, Sink&& sink) const {
+// Calls sink(batch, block); for several blocks at once, except in an observation.
+template <class Slots, class Sink>
+void Kernel::for_each_disc_batch(const State& y, Slots& slots, Purpose purpose, Sink&& sink) const {
   const ContactModel model = model_of_pairs();
-  const int chunks = static_cast<int>(search_.chunks.size());
-  if (slots) slots->changing.resize(search_.chunks.size());
-  in_parallel(asker == Asker::onlooker ? 1 : threads_, chunks, [&](int number, int thread) {
-    const Chunk& chunk = search_.chunks[number];
-    TouchBlock& c = disc_block_[thread];
-    if (slots) slots->changing[number].clear();
-    int spill = parts_->disc.count() + chunk.first_spill;
-    if (asker != Asker::onlooker) empty_loads(chunk);
-    for (int first = chunk.first_pair; first < chunk.last_pair; first += TouchBlock::capacity) {
-      const int last = std::min(chunk.last_pair, first + TouchBlock::capacity);
-      if (chunks > 1) fetch_ahead(y, first, last);
+  const int blocks = static_cast<int>(search_.blocks.size());
+  if constexpr (Slots::jumping) slots.changing.resize(search_.blocks.size());
+  in_parallel(purpose == Purpose::observation ? 1 : threads_, blocks, [&](int number, int thread) {
+    const DiscBlock& block = search_.blocks[number];
+    TouchBatch& c = disc_batch_[thread];
+    if constexpr (Slots::jumping) slots.changing[number].clear();
+    int contribution = parts_->disc.count() + block.first_contribution;
+    if (purpose != Purpose::observation) clear_loads(block);
+    for (int first = block.first_pair; first < block.last_pair; first += TouchBatch::capacity) {
+      const int last = std::min(block.last_pair, first + TouchBatch::capacity);
+      if (blocks > 1) prefetch(y, first, last);
       fill_discs(c, y, first, last);
-      if (slots && note_near(c, &search_.candidates[disc_disc].near_at[first], slots->now))
-        slots->changing[number].push_back(first);
-      if (asker == Asker::onlooker) c.keep_touching();
-      if (c.count == 0) continue;
-      take_springs(c, y, number);
-      evaluate(c, model, slots != nullptr, asker != Asker::rates);
-      if (chunks > 1) {
-        for (int k = 0; k < c.count; ++k) c.load_of_b[k] = c.b[k] < chunk.last_disc ? c.b[k] : spill++;
+      if constexpr (Slots::jumping) {
+        if (note_near(c, &search_.candidates[disc_disc].near_at[first], slots.now))
+          slots.changing[number].push_back(first);
       }
-      sink(static_cast<const TouchBlock&>(c), number);
+      if (purpose == Purpose::observation) c.keep_touching();
+      if (c.count == 0) continue;
+      gather_springs(c, y, number);
+      evaluate(c, model, {.returning = Slots::jumping, .all_fields = purpose != Purpose::rates});
+      if (blocks > 1) {
+        for (int k = 0; k < c.count; ++k) c.load_of_b[k] = c.b[k] < block.last_disc ? c.b[k] : contribution++;
+      }
+      sink(static_cast<const TouchBatch&>(c), number);
     }
   });
 }
 
-template <class Sink>
-void Kernel::for_each_flat_block(double t, const State& y, Slots* slots, Asker asker, Sink&& sink) const {
+template <class Slots, class Sink>
+void Kernel::for_each_flat_batch(double t, const State& y, Slots& slots, Purpose purpose, Sink&& sink) const {
   for (int kind = disc_disc + 1; kind < contact_kinds; ++kind) {
     const int count = search_.candidates[kind].count();
-    for (int first = 0; first < count; first += TouchBlock::capacity) {
-      const int last = std::min(count, first + TouchBlock::capacity);
-      TouchBlock& c = kind == disc_wall ? wall_block_ : flat_block_;
+    for (int first = 0; first < count; first += TouchBatch::capacity) {
+      const int last = std::min(count, first + TouchBatch::capacity);
+      TouchBatch& c = kind == disc_wall ? wall_batch_ : flat_batch_;
       if (kind == disc_wall) {
         fill_walls(first, last, y, slots);
-        if (asker == Asker::onlooker) c.keep_touching();
+        if (purpose == Purpose::observation) c.keep_touching();
       } else {
         fill_flat(static_cast<ContactKind>(kind), first, last, t, y, slots);
       }
       if (c.count == 0) continue;
-      take_springs(c, y, 0);
-      evaluate(c, model_of(c), slots != nullptr, asker != Asker::rates);
-      sink(static_cast<const TouchBlock&>(c));
+      gather_springs(c, y, 0);
+      evaluate(c, model_of(c), {.returning = Slots::jumping, .all_fields = purpose != Purpose::rates});
+      sink(static_cast<const TouchBatch&>(c));
     }
   }
 }
 
 template <class Sink>
 void Kernel::for_each_touch(double t, const State& y, Sink&& sink) const {
-  look_around(t, y);
-  for_each_disc_block(y, nullptr, Asker::onlooker, [&](const TouchBlock& c, int /*chunk*/) { sink(c); });
-  for_each_flat_block(t, y, nullptr, Asker::onlooker, sink);
+  update_positions(t, y);
+  const KeptSlots slots;
+  for_each_disc_batch(y, slots, Purpose::observation, [&](const TouchBatch& c, int /*block*/) { sink(c); });
+  for_each_flat_batch(t, y, slots, Purpose::observation, sink);
 }
 
-// The rates, and also(block, chunk) of each block; those that are of no chunk count to the first, after all others.
-template <class Also>
-void Kernel::add_up(double t, const State& y, Slots* slots, State& dydt, Also&& also) const {
-  const Asker asker = parts_->keeps_ledger ? Asker::ledger : Asker::rates;
-  const auto add = [&](const TouchBlock& c, int chunk) {
-    also(c, chunk);
-    add_contacts(c, chunk, t, dydt);
+// The rates, and also(batch, block) for each batch. Contacts other than those of two discs come last and count to the
+// first block.
+template <class Slots, class Also>
+void Kernel::sum_rates(double t, const State& y, Slots& slots, State& dydt, Also&& also) const {
+  const Purpose purpose = parts_->keeps_ledger ? Purpose::rates_and_ledger : Purpose::rates;
+  const auto add = [&](const TouchBatch& c, int block) {
+    also(c, block);
+    add_contacts(c, block, t, dydt);
   };
-  look_around(t, y);
+  update_positions(t, y);
   begin_rates(y, dydt);
-  for_each_disc_block(y, slots, asker, add);
-  join_chunks();
-  if (slots) hand_out_slots(y, *slots, dydt);
-  for_each_flat_block(t, y, slots, asker, [&](const TouchBlock& c) { add(c, 0); });
+  for_each_disc_batch(y, slots, purpose, add);
+  join_blocks();
+  if constexpr (Slots::jumping) assign_slots(y, slots, dydt);
+  for_each_flat_batch(t, y, slots, purpose, [&](const TouchBatch& c) { add(c, 0); });
   finish_rates(dydt);
 }
 

@@ -1,9 +1,10 @@
-// Between numbers that lie about in memory and vectors of N, one contact a lane: what the compiler does not find by
-// itself. All are inlined into functions for one processor each (kernel/wide.h), with N as its registers hold.
+// Loads and stores between scattered numbers in memory and vectors of N lanes, one contact a lane: the shuffles that
+// compilers do not find by themselves. All are inlined into functions compiled for one instruction set each
+// (kernel/wide.h), where N doubles fill a register.
 //
-// These are the vectors of the two compilers. Highway, tried on the same loops over pairs with AVX2, takes the same
-// time and gives the same bits, but would be one more library; std::experimental::simd takes 15 % longer, for it has no
-// shuffles to make lanes of rows, and its width is that of the whole file, not of a function.
+// They use the vector extensions of GCC and Clang. Highway, tried on the same loops over pairs with AVX2, takes the same
+// time and gives the same bits, but would be one more library; std::experimental::simd takes 15 % longer, because it has
+// no shuffles to turn rows into lanes, and its width belongs to the whole file, not to a function.
 #pragma once
 
 #include <cmath>
@@ -37,7 +38,7 @@ FURROW_WIDE void put(const Numbers& numbers, void* to) {
   std::memcpy(to, &numbers, sizeof numbers);
 }
 
-// One load each: that takes less than the gather instructions of the processors at hand.
+// One load for each lane: quicker than the gather instructions of the processors tried.
 template <int N>
 FURROW_WIDE Reals<N> gather(const double* from, const int* at) {
   if constexpr (N == 8) {
@@ -59,11 +60,11 @@ FURROW_WIDE void scatter(const Reals<N>& numbers, double* to, const int* at) {
 template <int N>
 FURROW_WIDE Reals<N> square_roots(const Reals<N>& of) {
   Reals<N> root{};
-  for (int i = 0; i < N; ++i) root[i] = std::sqrt(of[i]);  // compilers make one instruction of it
+  for (int i = 0; i < N; ++i) root[i] = std::sqrt(of[i]);  // compiles to one instruction
   return root;
 }
 
-// Rows of four to four vectors: r[i] = {x[i], y[i], u[i], v[i]}.
+// Transposes rows of four numbers to four vectors: r[i] = {x[i], y[i], u[i], v[i]}.
 template <int N>
 FURROW_WIDE void rows_to_lanes(const Row* r, Reals<N>& x, Reals<N>& y, Reals<N>& u, Reals<N>& v) {
   if constexpr (N == 8) {

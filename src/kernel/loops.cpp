@@ -8,11 +8,11 @@
 namespace furrow {
 namespace {
 
-FURROW_WIDE int whole_lanes(int count) { return (count + TouchBlock::lanes - 1) & -TouchBlock::lanes; }
+FURROW_WIDE int whole_lanes(int count) { return (count + TouchBatch::lanes - 1) & -TouchBatch::lanes; }
 
 template <int N>
-FURROW_WIDE void line_up_lanes(const double* x, const double* y, const double* vx, const double* vy, DiscRow* row,
-                               std::size_t first, std::size_t last) {
+FURROW_WIDE void interleave_lanes(const double* x, const double* y, const double* vx, const double* vy, DiscRow* row,
+                                  std::size_t first, std::size_t last) {
   std::size_t i = first;
   for (; i + N <= last; i += N) {
     Row rows[N];
@@ -23,10 +23,10 @@ FURROW_WIDE void line_up_lanes(const double* x, const double* y, const double* v
 }
 
 template <int N>
-FURROW_WIDE void pair_up_lanes(TouchBlock& c, const DiscMotion& disc) {
+FURROW_WIDE void locate_pairs_lanes(TouchBatch& c, const DiscMotion& disc) {
   using Real = Reals<N>;
   const DiscMotion from = disc;
-  const double half = 0.5 * from.lever;
+  const double half = 0.5 * from.arm_shortening;
   const int count = c.count;
   const int *a = c.a, *b = c.b;
   for (int k = 0; k < count; k += N, a += N, b += N) {
@@ -62,7 +62,7 @@ FURROW_WIDE void pair_up_lanes(TouchBlock& c, const DiscMotion& disc) {
 }
 
 template <int N>
-FURROW_WIDE void meet_walls_lanes(TouchBlock& c, const DiscMotion& disc, const WallPart* wall) {
+FURROW_WIDE void locate_walls_lanes(TouchBatch& c, const DiscMotion& disc, const WallPart* wall) {
   using Real = Reals<N>;
   const DiscMotion from = disc;
   const int count = c.count;
@@ -87,12 +87,12 @@ FURROW_WIDE void meet_walls_lanes(TouchBlock& c, const DiscMotion& disc, const W
     put(overlap, &c.overlap[k]);
     put(vx, &c.vx[k]);
     put(vy, &c.vy[k]);
-    put(radius - from.lever * overlap, &c.arm_a[k]);
+    put(radius - from.arm_shortening * overlap, &c.arm_a[k]);
   }
 }
 
 template <int N>
-FURROW_WIDE BlockExtremes extremes_lanes(const TouchBlock& c) {
+FURROW_WIDE BatchExtremes extremes_lanes(const TouchBatch& c) {
   using Real = Reals<N>;
   const double* radius_b = c.kind == disc_disc ? &c.radius_b[0] : &c.radius_a[0];
   const double count = c.count;
@@ -107,7 +107,7 @@ FURROW_WIDE BlockExtremes extremes_lanes(const TouchBlock& c) {
     overlap = depth * touching > overlap ? depth : overlap;
     approach = speed * touching > approach ? speed : approach;
   }
-  BlockExtremes all;
+  BatchExtremes all;
   for (int i = 0; i < N; ++i) {
     all.contacts += contacts[i];
     all.overlap = std::max(all.overlap, overlap[i]);
@@ -117,27 +117,29 @@ FURROW_WIDE BlockExtremes extremes_lanes(const TouchBlock& c) {
 }
 
 template <int N>
-FURROW_WIDE void take_springs_lanes(TouchBlock& c, const double* spring, int spare) {
-  const auto none = static_cast<unsigned>(spare);  // behind all slots, so that the lesser one is right, -1 being huge
-  for (int k = 0; k < c.count; ++k) c.place[k] = static_cast<int>(std::min(static_cast<unsigned>(c.slot[k]), none));
-  for (int k = c.count; k < whole_lanes(c.count); ++k) c.place[k] = spare;
-  for (int k = 0; k < c.count; k += N) put(gather<N>(spring, &c.place[k]), &c.spring[k]);
+FURROW_WIDE void gather_springs_lanes(TouchBatch& c, const double* spring, int dummy) {
+  const auto none = static_cast<unsigned>(
+      dummy);  // -1 becomes huge, and the dummy slot comes after all slots: the smaller number is right
+  for (int k = 0; k < c.count; ++k)
+    c.slot_or_dummy[k] = static_cast<int>(std::min(static_cast<unsigned>(c.slot[k]), none));
+  for (int k = c.count; k < whole_lanes(c.count); ++k) c.slot_or_dummy[k] = dummy;
+  for (int k = 0; k < c.count; k += N) put(gather<N>(spring, &c.slot_or_dummy[k]), &c.spring[k]);
 }
 
 template <int N>
-FURROW_WIDE void put_by_place_lanes(const TouchBlock& c, const TouchBlock::Lanes<double>& from, double* by_place) {
-  for (int k = 0; k < c.count; k += N) scatter<N>(get<Reals<N>>(&from[k]), by_place, &c.place[k]);
+FURROW_WIDE void scatter_to_slots_lanes(const TouchBatch& c, const TouchBatch::Lanes<double>& from, double* by_slot) {
+  for (int k = 0; k < c.count; k += N) scatter<N>(get<Reals<N>>(&from[k]), by_slot, &c.slot_or_dummy[k]);
 }
 
 template <int N>
-FURROW_WIDE bool put_returned_lanes(const TouchBlock& c, double* spring) {
+FURROW_WIDE bool scatter_returned_lanes(const TouchBatch& c, double* spring) {
   std::int64_t changed = 0;
   for (int k = 0; k < c.count; ++k) changed += c.spring[k] != c.held[k] ? 1 : 0;
-  put_by_place_lanes<N>(c, c.spring, spring);
+  scatter_to_slots_lanes<N>(c, c.spring, spring);
   return changed != 0;
 }
 
-FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, std::uint32_t now) {
+FURROW_WIDE bool note_near_lanes(const TouchBatch& c, std::uint32_t* near_at, std::uint32_t now) {
   const int* slot = c.slot;
   std::uint32_t changes = 0;
   for (int k = 0; k < c.count; ++k) {
@@ -147,10 +149,9 @@ FURROW_WIDE bool note_near_lanes(const TouchBlock& c, std::uint32_t* near_at, st
   return changes != 0;
 }
 
-// The two halves of the law in loops of their own: the processor has more lanes under way at once where each takes
-// fewer operations that wait for each other.
-template <bool OneLaw, bool Rolling, bool Returning, bool Details>
-FURROW_WIDE void law_lanes(TouchBlock& c, const ContactModel& model) {
+// The law in two loops: the shorter the chain of dependent operations of a lane, the more lanes the processor overlaps.
+template <bool OneLaw, bool Rolling, bool Returning, bool AllFields>
+FURROW_WIDE void law_lanes(TouchBatch& c, const ContactModel& model) {
   const ContactLaw* laws = model.law;
   const ContactLaw only = *laws;
   const double rolling_smoothing = model.rolling_smoothing;
@@ -162,7 +163,7 @@ FURROW_WIDE void law_lanes(TouchBlock& c, const ContactModel& model) {
     c.normal[k] = f.normal;
     c.shear_stiffness[k] = f.shear_stiffness;
     c.shear_viscosity[k] = f.shear_viscosity;
-    if constexpr (Details) {
+    if constexpr (AllFields) {
       c.approach[k] = approach;
       c.elastic[k] = f.elastic;
       c.stiffness[k] = f.stiffness;
@@ -184,7 +185,7 @@ FURROW_WIDE void law_lanes(TouchBlock& c, const ContactModel& model) {
     }
     f.tangential = tangential_force(touch, f, limit);
     if constexpr (Rolling) f.moment = rolling_moment(law, touch, f.normal, rolling_smoothing);
-    if constexpr (Details) {
+    if constexpr (AllFields) {
       c.tangential[k] = f.tangential;
       c.moment[k] = f.moment;
     }
@@ -196,9 +197,9 @@ FURROW_WIDE void law_lanes(TouchBlock& c, const ContactModel& model) {
   }
 }
 
-// From what is known at run time to a loop without questions.
+// Chooses the loop compiled for these options.
 template <bool... Known, class... Asked>
-FURROW_WIDE void choose_loop(TouchBlock& c, const ContactModel& model, bool first, Asked... asked) {
+FURROW_WIDE void choose_loop(TouchBatch& c, const ContactModel& model, bool first, Asked... asked) {
   if constexpr (sizeof...(asked) == 0) {
     first ? law_lanes<Known..., true>(c, model) : law_lanes<Known..., false>(c, model);
   } else {
@@ -206,13 +207,13 @@ FURROW_WIDE void choose_loop(TouchBlock& c, const ContactModel& model, bool firs
   }
 }
 
-FURROW_WIDE void evaluate_lanes(TouchBlock& c, const ContactModel& model, bool returning, bool details) {
-  choose_loop<>(c, model, model.one_law, model.rolling, returning, details);
+FURROW_WIDE void evaluate_lanes(TouchBatch& c, const ContactModel& model, Evaluation asked) {
+  choose_loop<>(c, model, model.one_law, model.rolling, asked.returning, asked.all_fields);
 }
 
 // The pairs of one disc as `a` follow each other: its sum stays in a register.
 template <int N>
-FURROW_WIDE void add_loads_lanes(const TouchBlock& c, const int* load_of_b, DiscLoad* sum) {
+FURROW_WIDE void add_loads_lanes(const TouchBatch& c, const int* load_of_b, DiscLoad* sum) {
   const Row sign{-1, -1, 1, 1};
   const int* own = c.a;
   const int count = c.count;
@@ -261,9 +262,9 @@ FURROW_WIDE void accelerate_lanes(const DiscLoad* load, const DiscRates& rates, 
   for (; i < last; ++i) accelerate_from(i, load[i].fx, load[i].fy, load[i].torque, rates);
 }
 
-// First every lane, then the sums in the order of the contacts.
-FURROW_WIDE void add_powers_lanes(const TouchBlock& c, bool friction, ContactPowers& sum) {
-  TouchBlock::Lanes<double> viscous, sticking, sliding, rolling, stiffening;
+// First all lanes, then the sums in the order of the contacts.
+FURROW_WIDE void add_powers_lanes(const TouchBatch& c, bool friction, ContactPowers& sum) {
+  TouchBatch::Lanes<double> viscous, sticking, sliding, rolling, stiffening;
   for (int k = 0; k < whole_lanes(c.count); ++k) {
     const TouchPowers p = touch_powers(
         {c.overlap[k], c.approach[k], c.slip[k], c.spring[k], c.spin_a[k] - c.spin_b[k], 0, 0},
@@ -282,22 +283,21 @@ FURROW_WIDE void add_powers_lanes(const TouchBlock& c, bool friction, ContactPow
 
 }  // namespace
 
-FURROW_WIDTHS_OF(void, line_up,
+FURROW_WIDTHS_OF(void, interleave,
                  (const double* x, const double* y, const double* vx, const double* vy, DiscRow* row, std::size_t first,
                   std::size_t last),
                  (x, y, vx, vy, row, first, last))
-FURROW_WIDTHS_OF(void, pair_up, (TouchBlock & c, const DiscMotion& disc), (c, disc))
-FURROW_WIDTHS_OF(void, meet_walls, (TouchBlock & c, const DiscMotion& disc, const WallPart* wall), (c, disc, wall))
-FURROW_WIDTHS_OF(BlockExtremes, extremes, (const TouchBlock& c), (c))
-FURROW_WIDTHS_OF(void, take_springs, (TouchBlock & c, const double* spring, int spare), (c, spring, spare))
-FURROW_WIDTHS_OF(void, put_by_place, (const TouchBlock& c, const TouchBlock::Lanes<double>& from, double* by_place),
-                 (c, from, by_place))
-FURROW_WIDTHS_OF(bool, put_returned, (const TouchBlock& c, double* spring), (c, spring))
-FURROW_WIDTHS(bool, note_near, (const TouchBlock& c, std::uint32_t* near_at, std::uint32_t now), (c, near_at, now))
-FURROW_WIDTHS(void, evaluate, (TouchBlock & c, const ContactModel& model, bool returning, bool details),
-              (c, model, returning, details))
-FURROW_WIDTHS_OF(void, add_loads, (const TouchBlock& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))
-FURROW_WIDTHS(void, add_powers, (const TouchBlock& c, bool friction, ContactPowers& sum), (c, friction, sum))
+FURROW_WIDTHS_OF(void, locate_pairs, (TouchBatch & c, const DiscMotion& disc), (c, disc))
+FURROW_WIDTHS_OF(void, locate_walls, (TouchBatch & c, const DiscMotion& disc, const WallPart* wall), (c, disc, wall))
+FURROW_WIDTHS_OF(BatchExtremes, extremes, (const TouchBatch& c), (c))
+FURROW_WIDTHS_OF(void, gather_springs, (TouchBatch & c, const double* spring, int dummy), (c, spring, dummy))
+FURROW_WIDTHS_OF(void, scatter_to_slots, (const TouchBatch& c, const TouchBatch::Lanes<double>& from, double* by_slot),
+                 (c, from, by_slot))
+FURROW_WIDTHS_OF(bool, scatter_returned, (const TouchBatch& c, double* spring), (c, spring))
+FURROW_WIDTHS(bool, note_near, (const TouchBatch& c, std::uint32_t* near_at, std::uint32_t now), (c, near_at, now))
+FURROW_WIDTHS(void, evaluate, (TouchBatch & c, const ContactModel& model, Evaluation asked), (c, model, asked))
+FURROW_WIDTHS_OF(void, add_loads, (const TouchBatch& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))
+FURROW_WIDTHS(void, add_powers, (const TouchBatch& c, bool friction, ContactPowers& sum), (c, friction, sum))
 FURROW_WIDTHS_OF(void, accelerate, (const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last),
                  (load, rates, first, last))
 

@@ -1,4 +1,4 @@
-// The loops over contacts and discs, one lane each, at the widest vectors of the processor.
+// The loops over contacts and discs, one of them a lane, at the widest vectors of the processor.
 #pragma once
 
 #include <cstddef>
@@ -17,13 +17,13 @@ struct alignas(32) DiscRow {
   double x, y, vx, vy;  // m, m/s
 };
 
-// What contacts take of their discs.
+// What the contacts of discs need to know of them.
 struct DiscMotion {
   const DiscRow* row;
-  const double* spin;    // rad/s; null: none
-  const double* radius;  // m; null: all alike, the block has it
-  double lever;          // 1: arm to the contact point, 0: whole radius
-  double margin;         // m, see NeighbourSearch
+  const double* spin;     // rad/s; null: none
+  const double* radius;   // m; null: all are equal and stand in the batch
+  double arm_shortening;  // see Parts
+  double margin;          // m, see NeighbourSearch
 };
 
 struct ContactModel {
@@ -33,49 +33,52 @@ struct ContactModel {
   double rolling_smoothing;  // rad/s
 };
 
-// What the loads of the discs do to them; m/s^2, rad/s^2.
+// Where the accelerations of the discs go (m/s^2, rad/s^2), and what they are computed from.
 struct DiscRates {
   double *ax, *ay, *turning;  // turning null: they do not spin
   const double *inverse_mass, *weight, *inverse_inertia;
 };
 
-// The rows of the discs [first, last).
-void line_up(const double* x, const double* y, const double* vx, const double* vy, DiscRow*, std::size_t first,
-             std::size_t last);
+// Writes the rows of the discs [first, last).
+void interleave(const double* x, const double* y, const double* vx, const double* vy, DiscRow*, std::size_t first,
+                std::size_t last);
 
-// Where the pairs of the block touch, to the end of its last vector; where its discs touch their walls.
-void pair_up(TouchBlock&, const DiscMotion&);
-void meet_walls(TouchBlock&, const DiscMotion&, const WallPart*);
+// Geometry and kinematics of the batch's pairs of discs, or of its discs and their walls, to the end of its last vector.
+void locate_pairs(TouchBatch&, const DiscMotion&);
+void locate_walls(TouchBatch&, const DiscMotion&, const WallPart*);
 
-// Of the contacts of a block of disc pairs or walls that touch: how many, the greatest overlap, of the smaller radius,
-// and the greatest approach (m/s).
-struct BlockExtremes {
+// Of a batch of disc pairs or of discs and walls: the number of contacts that touch, their greatest overlap (as a
+// fraction of the smaller radius) and their greatest approach (m/s).
+struct BatchExtremes {
   double contacts = 0, overlap = 0, approach = 0;
 };
-BlockExtremes extremes(const TouchBlock&);
+BatchExtremes extremes(const TouchBatch&);
 
-// Takes note of which contacts are near at jump `now`. True if one of them should take a slot or give it back.
-bool note_near(const TouchBlock&, std::uint32_t* near_at, std::uint32_t now);
+// Records which contacts are near at jump `now`. True if one of them should take a slot or give it back.
+bool note_near(const TouchBatch&, std::uint32_t* near_at, std::uint32_t now);
 
-// Runs the contact law over a filled block: slip, forces and torques. `returning`: with the springs returned to the
-// Coulomb limit; `details`: all that the block names.
-void evaluate(TouchBlock&, const ContactModel&, bool returning, bool details);
+// Runs the contact law over a filled batch: slip, forces and torques.
+struct Evaluation {
+  bool returning;   // springs are first returned to the Coulomb limit
+  bool all_fields;  // of the batch: also those that only the ledger and observers need
+};
+void evaluate(TouchBatch&, const ContactModel&, Evaluation);
 
-// Takes the springs of the block from those of the state, the spare one for contacts without a slot, and puts numbers
-// of the block where these stand.
-void take_springs(TouchBlock&, const double* spring, int spare);
-void put_by_place(const TouchBlock&, const TouchBlock::Lanes<double>&, double* by_place);
+// Reads the springs of the batch from the state; writes numbers of the batch to the same places. `dummy` is the slot
+// for contacts that hold none.
+void gather_springs(TouchBatch&, const double* spring, int dummy);
+void scatter_to_slots(const TouchBatch&, const TouchBatch::Lanes<double>&, double* by_slot);
 
-// Puts the springs of a block back that was evaluated with them returned. True if one has changed.
-bool put_returned(const TouchBlock&, double* spring);
+// Writes back the springs that `evaluate` has returned to the limit. True if one has changed.
+bool scatter_returned(const TouchBatch&, double* spring);
 
-// Adds the loads of a block of disc pairs to those of the discs, in the order of the pairs.
-void add_loads(const TouchBlock&, const int* load_of_b, DiscLoad*);
+// Adds the loads of a batch of disc pairs to those of the discs, in the order of the pairs.
+void add_loads(const TouchBatch&, const int* load_of_b, DiscLoad*);
 
-// Adds the powers of a block with details, contact by contact.
-void add_powers(const TouchBlock&, bool friction, ContactPowers&);
+// Adds the powers of a batch evaluated with all fields, contact by contact.
+void add_powers(const TouchBatch&, bool friction, ContactPowers&);
 
-// The rates of the discs [first, last).
+// The accelerations of the discs [first, last).
 void accelerate(const DiscLoad*, const DiscRates&, std::size_t first, std::size_t last);
 
 }  // namespace furrow

@@ -1,4 +1,4 @@
-// Which parts are near each other: what neighbour lists are made of.
+// Which parts are near each other: the entries of neighbour lists.
 #include <algorithm>
 #include <iterator>
 
@@ -15,14 +15,14 @@ void NeighbourSearch::find_flat(const Parts& parts, const Placement& now, Contac
   piece.near.clear();
   for (int b = 0; b < static_cast<int>(walls ? parts.wall.size() : parts.plate.size()); ++b) {
     const auto look = [&](int a) {
-      ++looks;
+      ++checks;
       if (flat_gap(parts, now, kind, a, b).gap < reach) piece.near.push_back({a, b});
     };
     if (walls) {
-      looks += bodies.near_wall(parts.wall[b], reach, look);
+      checks += bodies.near_wall(parts.wall[b], reach, look);
     } else {
       const Rectangle plate = rectangle_at(parts.plate[b], now.t);
-      looks += bodies.near_box({plate.left, plate.right}, {plate.lower, plate.upper}, reach, look);
+      checks += bodies.near_box({plate.left, plate.right}, {plate.lower, plate.upper}, reach, look);
     }
   }
   std::sort(piece.near.begin(), piece.near.end());
@@ -35,12 +35,12 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now, Pi
   for (int s = 0; s < parts.border.count(); ++s) {
     const auto look = [&](int disc) {
       const double within = parts.disc.radius[disc] + reach;
-      ++looks;
+      ++checks;
       if (segment_distance(parts, now, disc, s, 0, false).distance2 < within * within)
         near_border_.push_back({disc, s});
     };
     const int i = parts.border.a[s], j = parts.border.b[s];
-    looks += discs_.near_segment(now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], reach, look);
+    checks += discs_.near_segment(now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], reach, look);
   }
   std::sort(near_border_.begin(), near_border_.end());
   piece.near.clear();
@@ -50,7 +50,8 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now, Pi
   }
 }
 
-// The discs near disc i: of its own class those after it, and all of the larger classes, which do not look back.
+// The discs near disc i: those after it in its own class, and all of the larger classes. A large disc does not search
+// among smaller ones: each pair is found once.
 void NeighbourSearch::near_disc(const Parts& parts, const Placement& now, int i, Piece& piece) const {
   const double* radius = parts.disc.radius.data();
   const double reach = radius[i] + margin + skin_;
@@ -58,15 +59,16 @@ void NeighbourSearch::near_disc(const Parts& parts, const Placement& now, int i,
     const double dx = now.disc_x[j] - now.disc_x[i];
     const double dy = now.disc_y[j] - now.disc_y[i];
     const double within = radius[j] + reach;
-    ++piece.looks;
+    ++piece.checks;
     if (dx * dx + dy * dy < within * within) into.push_back({std::min(i, j), std::max(i, j)});
   };
   const int own = discs_.class_of(i);
-  piece.looks += discs_.near_disc(own, now.disc_x[i], now.disc_y[i], reach, [&](int j) {
+  piece.checks += discs_.near_disc(own, now.disc_x[i], now.disc_y[i], reach, [&](int j) {
     if (j > i) look(j, piece.near);
   });
   for (int larger = own + 1; larger < discs_.count(); ++larger) {
-    piece.looks += discs_.near_disc(larger, now.disc_x[i], now.disc_y[i], reach, [&](int j) { look(j, piece.across); });
+    piece.checks +=
+        discs_.near_disc(larger, now.disc_x[i], now.disc_y[i], reach, [&](int j) { look(j, piece.across); });
   }
 }
 
@@ -74,7 +76,7 @@ void NeighbourSearch::near_disc(const Parts& parts, const Placement& now, int i,
 void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, int first, int last, Piece& piece) const {
   piece.near.clear();
   piece.across.clear();
-  piece.looks = 0;
+  piece.checks = 0;
   for (int i = first; i < last; ++i) {
     const auto start = static_cast<std::ptrdiff_t>(piece.near.size());
     near_disc(parts, now, i, piece);
@@ -86,11 +88,11 @@ void NeighbourSearch::find_discs(const Parts& parts, const Placement& now, int t
   in_parallel(threads, pieces, [&](int k, int /*thread*/) {
     near_discs(parts, now, k * discs_per_block, std::min(parts.disc.count(), (k + 1) * discs_per_block), pieces_[k]);
   });
-  for (int k = 0; k < pieces; ++k) looks += pieces_[k].looks;
+  for (int k = 0; k < pieces; ++k) checks += pieces_[k].checks;
   if (discs_.count() > 1) share_across(pieces);
 }
 
-// Pairs of two classes go to the piece of their first disc.
+// Moves pairs of two classes to the piece of their first disc.
 void NeighbourSearch::share_across(int pieces) {
   for (int k = 0; k < pieces; ++k) pieces_[k].from_others.clear();
   for (int k = 0; k < pieces; ++k) {
@@ -105,7 +107,7 @@ void NeighbourSearch::share_across(int pieces) {
   }
 }
 
-// What each candidate may touch of its lattice.
+// The segments of its lattice that each candidate may touch.
 void NeighbourSearch::list_segments(const Parts& parts) {
   Candidates& list = candidates[disc_lattice];
   list.first_segment.assign(1, 0);

@@ -6,10 +6,10 @@
 
 namespace furrow {
 
-void share_out(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument) {
+void distribute(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument) {
 #pragma omp parallel num_threads(threads)
   {
-    const DefaultFloatingPoint environment;  // a thread has the one of whoever started it
+    const DefaultFloatingPoint environment;  // a thread starts with its creator's
 #pragma omp for schedule(static)
     for (int k = 0; k < pieces; ++k) work(argument, k, omp_get_thread_num());
   }

@@ -1,5 +1,5 @@
-// Loops shared by threads. The pieces are the same for any number of threads, and whoever sums over them does so in
-// their order, so no bit depends on that number.
+// Loops over threads. The pieces are the same for any number of threads, and sums over pieces are taken in their order,
+// so no bit depends on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace furrow {
 
-// Calls work(argument, piece, thread) for each piece in [0, pieces), on so many threads. A thread takes the same piece
-// each time, so that it finds in its cache what it left there. work must not throw.
-void share_out(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument);
+// Calls work(argument, piece, thread) for each piece in [0, pieces), on this many threads. A thread gets the same pieces
+// in every call, so that their data may still be in its cache. work must not throw.
+void distribute(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument);
 
-// Calls work(piece, thread) for each piece; in their order if there is one thread.
+// Calls work(piece, thread) for each piece; one thread takes them in order.
 template <class Work>
 void in_parallel(int threads, int pieces, Work&& work) {
   using Plain = std::remove_reference_t<Work>;
   if (threads == 1 || pieces == 1) {
     for (int k = 0; k < pieces; ++k) work(k, 0);
   } else {
-    share_out(
+    distribute(
         threads, pieces, [](void* w, int piece, int thread) { (*static_cast<Plain*>(w))(piece, thread); },
         std::addressof(work));
   }

@@ -1,4 +1,4 @@
-// Passes of a method over its states, on threads and at the widest vectors.
+// Updates of whole state vectors by methods, on several threads and at the widest vectors.
 #pragma once
 
 #include "kernel/parallel.h"

@@ -8,16 +8,18 @@ namespace furrow {
 
 void Kernel::flow(double t, const State& y, State& dydt) const {
   const std::scoped_lock alone(lock_.mutex);
-  add_up(t, y, nullptr, dydt, [](const TouchBlock& /*block*/, int /*chunk*/) {});
+  const KeptSlots slots;
+  sum_rates(t, y, slots, dydt, [](const TouchBatch& /*batch*/, int /*block*/) {});
 }
 
-void Kernel::look_around(double t, const State& y) const {
+void Kernel::update_positions(double t, const State& y) const {
   move_nodes(*parts_, layout_, y, nodes_);
   search_.update(*parts_, placement(t, y), threads_);
   disc_row_.resize(static_cast<std::size_t>(parts_->disc.count()));
   const double* at = y.data();
   in_ranges(threads_, disc_row_.size(), [&](std::size_t first, std::size_t last) {
-    line_up(at, at + layout_.bodies, at + 2 * layout_.bodies, at + 3 * layout_.bodies, disc_row_.data(), first, last);
+    interleave(at, at + layout_.bodies, at + 2 * layout_.bodies, at + 3 * layout_.bodies, disc_row_.data(), first,
+               last);
   });
 }
 
@@ -26,23 +28,23 @@ void Kernel::begin_rates(const State& y, State& dydt) const {
   const auto rest = static_cast<std::size_t>(layout_.first_spring);
   copy_in_ranges(threads_, y.data() + speeds, speeds, dydt.data());
   fill_in_ranges(threads_, dydt.data() + rest, dydt.size() - rest, 0.0);
-  disc_load_.resize(static_cast<std::size_t>(parts_->disc.count() + search_.spills));
-  std::fill(chunk_powers_.begin(), chunk_powers_.end(), ContactPowers{});
+  disc_load_.resize(static_cast<std::size_t>(parts_->disc.count() + search_.contributions));
+  std::fill(block_powers_.begin(), block_powers_.end(), ContactPowers{});
   std::copy(parts_->node.load_x.begin(), parts_->node.load_x.end(), node_fx_.begin());
   std::copy(parts_->node.load_y.begin(), parts_->node.load_y.end(), node_fy_.begin());
 }
 
-// Chunk by chunk, so that they are still in the cache when the pairs come.
-void Kernel::empty_loads(const Chunk& chunk) const {
+// Called block by block, just before the pairs of the block, so that its loads are still in the cache.
+void Kernel::clear_loads(const DiscBlock& block) const {
   DiscLoad* load = disc_load_.data();
-  std::fill(load + chunk.first_disc, load + chunk.last_disc, DiscLoad{});
-  DiscLoad* spill = load + parts_->disc.count();
-  std::fill(spill + chunk.first_spill, spill + chunk.last_spill, DiscLoad{});
+  std::fill(load + block.first_disc, load + block.last_disc, DiscLoad{});
+  DiscLoad* contribution = load + parts_->disc.count();
+  std::fill(contribution + block.first_contribution, contribution + block.last_contribution, DiscLoad{});
 }
 
-void Kernel::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt) const {
+void Kernel::add_contacts(const TouchBatch& c, int block, double t, State& dydt) const {
   if (c.kind == disc_disc) {
-    add_loads(c, search_.chunks.size() > 1 ? c.load_of_b.data() : c.b, disc_load_.data());
+    add_loads(c, search_.blocks.size() > 1 ? c.load_of_b.data() : c.b, disc_load_.data());
   } else if (of_disc(c.kind)) {
     for (int k = 0; k < c.count; ++k) {
       DiscLoad& sum = disc_load_[c.a[k]];
@@ -66,33 +68,33 @@ void Kernel::add_contacts(const TouchBlock& c, int chunk, double t, State& dydt)
       node_fy_[j] -= c.share[k] * c.fy[k];
     }
   }
-  if (parts_->friction) put_by_place(c, c.slip, dydt.data() + layout_.first_spring);
-  if (parts_->keeps_ledger) add_to_ledger(c, chunk, t, dydt.data() + layout_.ledger_of(0));
+  if (parts_->friction) scatter_to_slots(c, c.slip, dydt.data() + layout_.first_spring);
+  if (parts_->keeps_ledger) add_to_ledger(c, block, t, dydt.data() + layout_.ledger_of(0));
 }
 
-void Kernel::join_chunks() const {
-  const DiscLoad* spill = disc_load_.data() + parts_->disc.count();
-  in_parallel(threads_, static_cast<int>(search_.spilled.size()), [&](int chunk, int /*thread*/) {
-    for (const NeighbourSearch::Spill& s : search_.spilled[chunk]) {
-      disc_load_[s.disc].fx += spill[s.number].fx;
-      disc_load_[s.disc].fy += spill[s.number].fy;
-      disc_load_[s.disc].torque += spill[s.number].torque;
+void Kernel::join_blocks() const {
+  const DiscLoad* contribution = disc_load_.data() + parts_->disc.count();
+  in_parallel(threads_, static_cast<int>(search_.boundary.size()), [&](int block, int /*thread*/) {
+    for (const NeighbourSearch::Contribution& s : search_.boundary[block]) {
+      disc_load_[s.disc].fx += contribution[s.number].fx;
+      disc_load_[s.disc].fy += contribution[s.number].fy;
+      disc_load_[s.disc].torque += contribution[s.number].torque;
     }
   });
-  ContactPowers& all = chunk_powers_[0];
-  for (std::size_t k = 1; k < chunk_powers_.size(); ++k) all.add(chunk_powers_[k]);
+  ContactPowers& all = block_powers_[0];
+  for (std::size_t k = 1; k < block_powers_.size(); ++k) all.add(block_powers_[k]);
 }
 
 void Kernel::finish_rates(State& dydt) const {
-  empty_spares(dydt);
+  clear_dummy_slots(dydt);
   double* ax = dydt.data() + 2 * layout_.bodies;
   double* ay = dydt.data() + 3 * layout_.bodies;
   if (parts_->keeps_ledger) {
     double* work = dydt.data() + layout_.ledger_of(0);
-    work[contact_viscous] = chunk_powers_[0].viscous;
-    work[friction_work] = chunk_powers_[0].friction;
-    work[rolling_work] = chunk_powers_[0].rolling;
-    work[stiffening] = chunk_powers_[0].stiffening;
+    work[contact_viscous] = block_powers_[0].viscous;
+    work[friction_work] = block_powers_[0].friction;
+    work[rolling_work] = block_powers_[0].rolling;
+    work[stiffening] = block_powers_[0].stiffening;
   }
   add_link_forces(parts_->keeps_ledger ? dydt.data() + layout_.ledger_of(0) : nullptr);
   const DiscRates rates{ax,
@@ -129,8 +131,8 @@ void Kernel::add_link_forces(double* work) const {
   if (work) work[link_damping] = damping;
 }
 
-void Kernel::add_to_ledger(const TouchBlock& c, int chunk, double t, double* work) const {
-  add_powers(c, parts_->friction, chunk_powers_[chunk]);
+void Kernel::add_to_ledger(const TouchBatch& c, int block, double t, double* work) const {
+  add_powers(c, parts_->friction, block_powers_[block]);
   if (c.kind != disc_plate && c.kind != node_plate) return;
   for (int k = 0; k < c.count; ++k) {
     const PlateAt at = plate_at(parts_->plate[c.b[k]], t, preparing_);

@@ -13,8 +13,8 @@ namespace furrow {
 namespace {
 
 constexpr double skin_of_radius = 0.15;  // times a small radius; measured: flat between 0.1 and 0.2
-// Of n the one that is larger than the square root of n others: these may be as small as they like, a skin that is wide
-// to them brings less than n / 2 pairs among them, and a narrow one would make all lists short-lived.
+// The radius of rank sqrt(n) among n, from the smallest. The sqrt(n) smaller discs may be as small as they like: a skin
+// that is wide for them adds less than n / 2 pairs among them, and a skin made for them would make all lists short-lived.
 double small_radius(std::vector<double> radius) {
   if (radius.empty()) return 1;
   const auto rank = static_cast<std::ptrdiff_t>(std::sqrt(static_cast<double>(radius.size() - 1)));
@@ -28,7 +28,7 @@ std::vector<int> all_discs(const Parts& parts) {
   return all;
 }
 
-// A fixed node and a plate or wall: neither of them can give way.
+// A fixed node needs no contact with a plate or wall: neither of them can yield.
 std::vector<int> moving_nodes(const Parts& parts) {
   std::vector<int> moving;
   for (int n = 0; n < parts.node.count(); ++n) {
@@ -43,7 +43,7 @@ double mean(const std::vector<double>& of) {
 
 FURROW_WIDE bool all_within_lanes(const double* x, const double* y, const double* x0, const double* y0, double limit,
                                   std::size_t n) {
-  std::int64_t far = 0;  // counted, not left at the first: several at once
+  std::int64_t far = 0;  // counted without an early exit, so that the loop is vectorised
   for (std::size_t i = 0; i < n; ++i) {
     const double dx = x[i] - x0[i];
     const double dy = y[i] - y0[i];
@@ -84,7 +84,7 @@ void NeighbourSearch::update(const Parts& parts, const Placement& now, int threa
   sort(parts, now);
   for (int kind = 0; kind < contact_kinds; ++kind) renew(parts, now, static_cast<ContactKind>(kind), threads);
   list_segments(parts);
-  cut_into_chunks(parts.disc.count());
+  cut_into_blocks(parts.disc.count());
   remember(parts, now);
   ++rebuilds;
 }
@@ -123,8 +123,8 @@ void NeighbourSearch::check_finite(const Parts& parts, const Placement& now) con
   }
 }
 
-// A new list, of discs chunk by chunk. What it needs of room is kept for the next one: large beds would spend most of
-// their time on getting it anew.
+// A new list; that of the discs is made block by block. Its memory is kept for the next list: large beds would spend
+// most of their time on allocating it again.
 void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKind kind, int threads) {
   const bool pairs = kind == disc_disc;
   const int pieces = pairs ? (parts.disc.count() + discs_per_block - 1) / discs_per_block : 1;
@@ -136,9 +136,9 @@ void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKin
   else
     find_flat(parts, now, kind, pieces_[0]);
   in_parallel(threads, pieces, [&](int k, int /*thread*/) {
-    const bool chunk = pairs && !chunks.empty();
-    keep_held(candidates[kind], chunk ? chunks[k].first_pair : 0,
-              chunk ? chunks[k].last_pair : candidates[kind].count(), pieces_[k]);
+    const bool block = pairs && !blocks.empty();
+    keep_held(candidates[kind], block ? blocks[k].first_pair : 0,
+              block ? blocks[k].last_pair : candidates[kind].count(), pieces_[k]);
   });
   int count = 0;
   for (int k = 0; k < pieces; ++k) {
@@ -149,7 +149,7 @@ void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKin
   in_parallel(threads, pieces, [&](int k, int /*thread*/) { write_out(parts, kind, pieces_[k]); });
 }
 
-// The near pairs, and of the old list those that still hold a slot. Both are sorted.
+// Merges the near pairs with those pairs of the old list that still hold a slot. Both are sorted.
 void NeighbourSearch::keep_held(const Candidates& old, int first, int last, Piece& piece) {
   const std::vector<Pair>& near = piece.near;
   piece.member.clear();
@@ -202,29 +202,29 @@ void Candidates::resize(int count) {
   reduced_mass.resize(n);
 }
 
-void NeighbourSearch::cut_into_chunks(int discs) {
+void NeighbourSearch::cut_into_blocks(int discs) {
   const Candidates& list = candidates[disc_disc];
   const std::size_t count = static_cast<std::size_t>((discs + discs_per_block - 1) / discs_per_block);
-  chunks.clear();
-  spilled.resize(count);
-  for (std::vector<Spill>& into : spilled) into.clear();
-  spills = 0;
+  blocks.clear();
+  boundary.resize(count);
+  for (std::vector<Contribution>& into : boundary) into.clear();
+  contributions = 0;
   int pair = 0;
   for (int first = 0; first < discs; first += discs_per_block) {
-    Chunk chunk{first, std::min(discs, first + discs_per_block), pair, pair, spills, spills};
-    for (; pair < list.count() && list.a[pair] < chunk.last_disc; ++pair) {
+    DiscBlock block{first, std::min(discs, first + discs_per_block), pair, pair, contributions, contributions};
+    for (; pair < list.count() && list.a[pair] < block.last_disc; ++pair) {
       const int b = list.b[pair];
-      if (b >= chunk.last_disc) spilled[b / discs_per_block].push_back({spills++, b});
+      if (b >= block.last_disc) boundary[b / discs_per_block].push_back({contributions++, b});
     }
-    chunk.last_pair = pair;
-    chunk.last_spill = spills;
-    chunks.push_back(chunk);
+    block.last_pair = pair;
+    block.last_contribution = contributions;
+    blocks.push_back(block);
   }
 }
 
 void NeighbourSearch::keep_only(const std::array<Candidates, contact_kinds>& held, int discs) {
   candidates = held;
-  cut_into_chunks(discs);
+  cut_into_blocks(discs);
   made_ = false;
 }
 

@@ -1,7 +1,7 @@
-// Which parts may touch: neighbour lists with a reach larger than any contact, renewed before anything can have moved
-// through that reach. The lists never change a result: a pair on a list that does not touch adds nothing, forces are
-// summed in the order of the pairs, and what a contact remembers (its slot) is decided by distances alone, not by when
-// a list was made.
+// Which parts may touch: neighbour lists of all pairs within a reach beyond the contact, renewed before a pair that is
+// not listed can have come into contact. The lists never change a result: a listed pair that does not touch adds
+// nothing, forces are summed in the order of the pairs, and whether a contact holds a slot depends on distances alone,
+// not on when a list was made.
 #pragma once
 
 #include <array>
@@ -15,8 +15,7 @@
 
 namespace furrow {
 
-// Whether a candidate should take a slot or give it back.
-// Without a branch, for loops over all pairs: 1 or 0.
+// 1 if a candidate should take a slot or give it back, else 0; without a branch, for loops over all pairs.
 inline std::uint32_t slot_changes(int slot, std::uint32_t near_at, std::uint32_t now) {
   const std::uint32_t unheld = slot < 0 ? 1 : 0, near = near_at == now ? 1 : 0;
   const std::uint32_t quiet = now - near_at > quiet_jumps ? 1 : 0;
@@ -31,16 +30,16 @@ struct Candidates {
   std::vector<double> reduced_radius;  // m
   std::vector<double> reduced_mass;    // kg; of disc and lattice: not used, it depends on the contact point
   std::vector<int> law;                // index into Parts::law
-  std::vector<int> first_segment;      // disc-lattice: candidate k may touch segment[first_segment[k] ...]
+  std::vector<int> first_segment;      // disc-lattice: candidate k may touch segment[first_segment[k]] ...
   std::vector<int> segment;
   int count() const { return static_cast<int>(a.size()); }
-  void resize(int count);  // all but the segments
+  void resize(int count);  // does not touch the segments
 };
 
-// Discs that follow each other, and the pairs that have one of them as the first. What a pair does to a disc of a later
-// chunk is a spill: kept apart until all chunks are done, then added in the order of the pairs.
-struct Chunk {
-  int first_disc, last_disc, first_pair, last_pair, first_spill, last_spill;
+// A block of consecutive discs, and the pairs whose first disc is in it. What such a pair does to a disc of a later
+// block is a boundary contribution: stored until all blocks are done, then added in the order of the pairs.
+struct DiscBlock {
+  int first_disc, last_disc, first_pair, last_pair, first_contribution, last_contribution;
 };
 
 class NeighbourSearch {
@@ -51,19 +50,19 @@ class NeighbourSearch {
   // Makes sure that every pair closer than `margin` is on a list. Throws Divergence where a position is not finite.
   void update(const Parts& parts, const Placement& now, int threads = 1);
 
-  // Forgets the lists but for those of these pairs, all with a slot and sorted.
+  // Replaces the lists by these pairs, which all hold a slot and are sorted.
   void keep_only(const std::array<Candidates, contact_kinds>& held, int discs);
 
   double margin = 0;  // m, Parts::margin
   std::array<Candidates, contact_kinds> candidates;
-  std::vector<Chunk> chunks;
-  struct Spill {
+  std::vector<DiscBlock> blocks;
+  struct Contribution {
     int number, disc;
   };
-  std::vector<std::vector<Spill>> spilled;  // into each chunk, ascending
-  int spills = 0;
+  std::vector<std::vector<Contribution>> boundary;  // to the discs of each block, ascending
+  int contributions = 0;                            // of all blocks
   long rebuilds = 0;
-  long looks = 0;  // at distances and at rows of cells, for all lists so far: what they cost
+  long checks = 0;  // distances and rows of cells looked at for all lists so far: what they cost
 
  private:
   struct Pair {
@@ -81,7 +80,7 @@ class NeighbourSearch {
     std::vector<Pair> across, from_others, merged;
     std::vector<Member> member;
     int start = 0;
-    long looks = 0;
+    long checks = 0;
   };
 
   bool current(const Parts& parts, const Placement& now, int threads) const;
@@ -98,7 +97,7 @@ class NeighbourSearch {
   static void keep_held(const Candidates& old, int first, int last, Piece& piece);
   void write_out(const Parts& parts, ContactKind kind, const Piece& piece);
   void list_segments(const Parts& parts);
-  void cut_into_chunks(int discs);
+  void cut_into_blocks(int discs);
 
   bool idle_ = true;      // nothing can ever touch
   double skin_ = 0;       // m

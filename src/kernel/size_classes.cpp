@@ -6,12 +6,13 @@
 namespace furrow {
 namespace {
 
-// The share of its looks that a class must save to be split. Sizes spread evenly over a factor of 4 stay together: a
-// second grid would cost as much. One large disc among many is a class of its own from 1.12 times their radius on.
+// The fraction of its distance checks that a class must save to be split. Sizes spread evenly over a factor of 4 stay
+// together: a second grid would cost as much. One large disc among many is a class of its own if its radius is more than
+// 1.12 times theirs.
 constexpr double worth_splitting = 0.2;
 
-// Discs of a class look at each other in cells of the greatest one, so n discs at n * greatest^2 places. Where to cut
-// [first, last), ascending, so that the small ones are spared most; `last` if that is not worth it.
+// The cells of a class are as large as its greatest disc, so n discs need about n * greatest^2 distance checks. Where to
+// cut [first, last), ascending, to save the most checks; `last` if no cut saves enough.
 std::size_t best_cut(const std::vector<double>& radius, std::size_t first, std::size_t last) {
   std::size_t best = last;
   double most = worth_splitting;
@@ -27,7 +28,7 @@ std::size_t best_cut(const std::vector<double>& radius, std::size_t first, std::
   return best;
 }
 
-// Greatest radii of the classes, ascending.
+// Appends the greatest radii of the classes, ascending.
 void cut(const std::vector<double>& radius, std::size_t first, std::size_t last, std::vector<double>& greatest) {
   const std::size_t at = best_cut(radius, first, last);
   if (at < last) cut(radius, first, at, greatest);

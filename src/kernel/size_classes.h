@@ -1,5 +1,5 @@
-// Discs or nodes by size, each class in a grid with cells of its own: one large disc among many small ones then makes
-// no cell larger but its own.
+// Discs or nodes by size, each class in a grid of its own: one large disc among many small ones then does not enlarge
+// the cells of the small ones.
 #pragma once
 
 #include "scene/grid.h"
@@ -10,18 +10,18 @@ namespace furrow {
 class SizeClasses {
  public:
   SizeClasses() = default;
-  // `bodies`: those that can be asked for, ascending; radius: m, of all; empty: all 0.
+  // `bodies`: those to be found, ascending; radius: m, of all bodies; empty: all 0.
   SizeClasses(std::vector<int> bodies, const std::vector<double>& radius);
 
-  // Sorts anew; x, y: m. cell: m, of the smallest cells; 0: the reach, added to the diameters of a class.
+  // Sorts the bodies at x, y (m) into cells. cell: m, side of the cells; 0: greatest diameter of the class, plus reach.
   void sort(const double* x, const double* y, double reach, double cell);
 
   int count() const { return static_cast<int>(classes_.size()); }
   int class_of(int body) const { return class_of_[body]; }
   const std::vector<int>& bodies() const { return bodies_; }
 
-  // Each calls visit(body) for all of a class whose surface is closer than `reach` (m) to the thing named, and for
-  // others. They return the number of rows of cells looked into.
+  // Each calls visit(body) for all bodies of a class whose surface is closer than `reach` (m) to the part, and for some
+  // that are not. They return the number of rows of cells visited.
   template <class Visit>
   long near_disc(int of, double x, double y, double reach, Visit&& visit) const {
     const double within = classes_[of].greatest + reach;
@@ -44,7 +44,7 @@ class SizeClasses {
   void split(const std::vector<int>& by_size, const std::vector<double>& radius);
 
   std::vector<int> bodies_, class_of_;
-  std::vector<Class> classes_;  // from the small to the large
+  std::vector<Class> classes_;  // from small to large
 };
 
 // Where along x points lie that are behind the wall or closer to it than `within`, at these y.

@@ -1,4 +1,4 @@
-// Fills blocks of touching contacts with their geometry.
+// Fills batches of contacts with their geometry and kinematics.
 #include <algorithm>
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace furrow {
 
-void TouchBlock::fill_last_lanes() {
+void TouchBatch::fill_last_lanes() {
   if (count % lanes == 0) return;
   std::copy(a, a + count, own_a.begin());
   std::copy(b, b + count, own_b.begin());
@@ -18,7 +18,7 @@ void TouchBlock::fill_last_lanes() {
   b = own_b.data();
 }
 
-void TouchBlock::keep_touching() {
+void TouchBatch::keep_touching() {
   int n = 0;
   for (int k = 0; k < count; ++k) {
     if (touching[k] == 0) continue;
@@ -32,11 +32,11 @@ void TouchBlock::keep_touching() {
     ++n;
   }
   count = n;
-  look_at_own();
+  use_own();
 }
 
-// For the candidates [first, last), should all of them want a slot.
-void Kernel::Slots::make_room(const Candidates& list, int first, int last) const {
+// Makes sure that all of the candidates [first, last) could take a slot.
+void Kernel::JumpingSlots::make_room(const Candidates& list, int first, int last) const {
   const auto left = static_cast<std::ptrdiff_t>(unused.size());
   if (left >= last - first) return;
   const auto wanting =
@@ -44,8 +44,8 @@ void Kernel::Slots::make_room(const Candidates& list, int first, int last) const
   if (left < wanting) kernel->grow_slots(static_cast<int>(wanting - left));
 }
 
-// A near contact gets a slot, one that has long been apart gives it back.
-void Kernel::Slots::see(Candidates& list, int candidate, bool near) {
+// A near contact takes a slot; one that has not been near for long gives it back.
+void Kernel::JumpingSlots::update(Candidates& list, int candidate, bool near) {
   int& slot = list.slot[candidate];
   if (near) list.near_at[candidate] = now;
   if (slot_changes(slot, list.near_at[candidate], now) == 0) return;
@@ -59,8 +59,8 @@ void Kernel::Slots::see(Candidates& list, int candidate, bool near) {
   spring[slot] = 0;
 }
 
-// A contact that is open holds nothing.
-void Kernel::Slots::relax(int slot) {
+// The spring of an open contact is 0.
+void Kernel::JumpingSlots::relax(int slot) {
   if (slot < 0) return;
   relaxed = relaxed || spring[slot] != 0;
   spring[slot] = 0;
@@ -68,11 +68,11 @@ void Kernel::Slots::relax(int slot) {
 
 DiscMotion Kernel::motion(const State& y) const {
   return {disc_row_.data(), parts_->friction ? y.data() + layout_.spin_of(0) : nullptr,
-          alike_ ? nullptr : parts_->disc.radius.data(), parts_->moment_arm, search_.margin};
+          alike_ ? nullptr : parts_->disc.radius.data(), parts_->arm_shortening, search_.margin};
 }
 
-// Calls for the discs that the pairs after the next blocks need: the second ones of them lie about in memory.
-void Kernel::fetch_ahead(const State& y, int first, int last) const {
+// Prefetches the discs that the pairs of later batches need: the second discs of those pairs are scattered in memory.
+void Kernel::prefetch(const State& y, int first, int last) const {
   constexpr int ahead = 512, a_line = 8;  // discs
   const std::vector<int>& a = search_.candidates[disc_disc].a;
   const int end = std::min(parts_->disc.count(), (a[last - 1] + ahead) & -a_line);
@@ -86,26 +86,26 @@ void Kernel::fetch_ahead(const State& y, int first, int last) const {
   }
 }
 
-// What takes or gives back slots does so in the order of the pairs, after all of them were seen. A pair that is new
-// has come near by distance alone and holds no spring yet, so only the rate of its spring is missing.
-void Kernel::hand_out_slots(const State& y, Slots& slots, State& dydt) const {
+// Slots are taken and given back in the order of the pairs, after all pairs were evaluated. The spring of a new pair is
+// still 0, so its forces are already right and only the rate of its spring is missing.
+void Kernel::assign_slots(const State& y, JumpingSlots& slots, State& dydt) const {
   Candidates& list = search_.candidates[disc_disc];
-  TouchBlock& c = disc_block_[0];
-  for (std::size_t chunk = 0; chunk < search_.chunks.size(); ++chunk) {
-    for (const int first : slots.changing[chunk]) {
-      const int last = std::min(search_.chunks[chunk].last_pair, first + TouchBlock::capacity);
+  TouchBatch& c = disc_batch_[0];
+  for (std::size_t block = 0; block < search_.blocks.size(); ++block) {
+    for (const int first : slots.changing[block]) {
+      const int last = std::min(search_.blocks[block].last_pair, first + TouchBatch::capacity);
       slots.make_room(list, first, last);
-      for (int k = first; k < last; ++k) slots.see(list, k, false);
+      for (int k = first; k < last; ++k) slots.update(list, k, false);
       fill_discs(c, y, first, last);
-      take_springs(c, y, static_cast<int>(chunk));
-      evaluate(c, model_of_pairs(), false, false);
-      put_by_place(c, c.slip, dydt.data() + layout_.first_spring);
+      gather_springs(c, y, static_cast<int>(block));
+      evaluate(c, model_of_pairs(), {.returning = false, .all_fields = false});
+      scatter_to_slots(c, c.slip, dydt.data() + layout_.first_spring);
     }
   }
 }
 
-// The block of the candidates [first, last), with what never changes of them.
-void Kernel::point_at(TouchBlock& c, ContactKind kind, int first, int last) const {
+// Makes the batch of the candidates [first, last), with their constant properties.
+void Kernel::point_at(TouchBatch& c, ContactKind kind, int first, int last) const {
   const Candidates& list = search_.candidates[kind];
   c.count = last - first;
   c.a = &list.a[first];
@@ -119,27 +119,30 @@ void Kernel::point_at(TouchBlock& c, ContactKind kind, int first, int last) cons
   take(list.reduced_mass, c.reduced_mass);
 }
 
-// Discs that do not touch stay in the block: with a list so close, leaving them out costs more.
-void Kernel::fill_discs(TouchBlock& c, const State& y, int first, int last) const {
+// Pairs that do not touch stay in the batch: most pairs of the list do touch, and leaving the others out costs more.
+void Kernel::fill_discs(TouchBatch& c, const State& y, int first, int last) const {
   point_at(c, disc_disc, first, last);
-  pair_up(c, motion(y));
+  locate_pairs(c, motion(y));
 }
 
-void Kernel::fill_walls(int first, int last, const State& y, Slots* slots) const {
+template <class Slots>
+void Kernel::fill_walls(int first, int last, const State& y, Slots& slots) const {
   Candidates& list = search_.candidates[disc_wall];
-  point_at(wall_block_, disc_wall, first, last);
-  meet_walls(wall_block_, motion(y), parts_->wall.data());
-  if (!slots || !note_near(wall_block_, &list.near_at[first], slots->now)) return;
-  slots->make_room(list, first, last);
-  for (int k = first; k < last; ++k) slots->see(list, k, false);
+  point_at(wall_batch_, disc_wall, first, last);
+  locate_walls(wall_batch_, motion(y), parts_->wall.data());
+  if constexpr (Slots::jumping) {
+    if (!note_near(wall_batch_, &list.near_at[first], slots.now)) return;
+    slots.make_room(list, first, last);
+    for (int k = first; k < last; ++k) slots.update(list, k, false);
+  }
 }
 
-void Kernel::take_springs(TouchBlock& c, const State& y, int chunk) const {
+void Kernel::gather_springs(TouchBatch& c, const State& y, int block) const {
   if (!parts_->friction) return;
-  furrow::take_springs(c, y.data() + layout_.first_spring, spare_of(chunk));
+  furrow::gather_springs(c, y.data() + layout_.first_spring, dummy_of(block));
 }
 
-// Of the candidate's segments the nearest point; of two equally near the first.
+// The nearest point on the candidate's segments; of two equally near points the one on the first segment.
 NearestOnSegment Kernel::nearest_border(const Placement& now, int candidate, int& segment) const {
   const Candidates& list = search_.candidates[disc_lattice];
   const int auxiliary = parts_->lattice[list.b[candidate]].auxiliary_points;
@@ -157,18 +160,18 @@ NearestOnSegment Kernel::nearest_border(const Placement& now, int candidate, int
   return best;
 }
 
-// Other contacts of a disc or node with something that does not spin: wall, plate, lattice. Its radius, arm and spin
-// stay 0 in the block.
-template <ContactKind kind>
-void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots* slots) const {
+// Contacts of a disc or node with a part that does not spin: wall, plate, lattice. That part's radius, arm and spin
+// stay 0 in the batch.
+template <ContactKind kind, class Slots>
+void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& slots) const {
   Candidates& list = search_.candidates[kind];
-  if (slots) slots->make_room(list, first, last);
-  TouchBlock& c = flat_block_;
+  if constexpr (Slots::jumping) slots.make_room(list, first, last);
+  TouchBatch& c = flat_batch_;
   c.kind = kind;
-  c.look_at_own();
+  c.use_own();
   const Placement now = placement(t, y);
   const bool disc = of_disc(kind);
-  const double lever = disc ? parts_->moment_arm : 0;  // a node has no arm
+  const double arm_shortening = disc ? parts_->arm_shortening : 0;  // a node has no arm
   int n = 0;
   for (int k = first; k < last; ++k) {
     const int a = list.a[k];
@@ -198,9 +201,9 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots* 
         other_vy = at.vy;
       }
     }
-    if (slots) slots->see(list, k, gap.gap < search_.margin);
+    if constexpr (Slots::jumping) slots.update(list, k, gap.gap < search_.margin);
     if (!(gap.gap < 0)) {
-      if (slots) slots->relax(list.slot[k]);
+      if constexpr (Slots::jumping) slots.relax(list.slot[k]);
       continue;
     }
     c.own_a[n] = a;
@@ -216,13 +219,14 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots* 
     c.vy[n] = (disc ? y[layout_.vy_of(a)] : nodes_.vy[a]) - other_vy;
     c.spin_a[n] = disc && parts_->friction ? y[layout_.spin_of(a)] : 0;
     c.radius_a[n] = disc ? parts_->disc.radius[a] : 0;
-    c.arm_a[n] = c.radius_a[n] - lever * c.overlap[n];
+    c.arm_a[n] = c.radius_a[n] - arm_shortening * c.overlap[n];
     ++n;
   }
   c.count = n;
 }
 
-void Kernel::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots* slots) const {
+template <class Slots>
+void Kernel::fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots& slots) const {
   switch (kind) {
     case disc_plate:
       return fill_flat_of<disc_plate>(first, last, t, y, slots);
@@ -237,5 +241,10 @@ void Kernel::fill_flat(ContactKind kind, int first, int last, double t, const St
       break;
   }
 }
+
+template void Kernel::fill_walls(int, int, const State&, const KeptSlots&) const;
+template void Kernel::fill_walls(int, int, const State&, JumpingSlots&) const;
+template void Kernel::fill_flat(ContactKind, int, int, double, const State&, const KeptSlots&) const;
+template void Kernel::fill_flat(ContactKind, int, int, double, const State&, JumpingSlots&) const;
 
 }  // namespace furrow

@@ -1,4 +1,4 @@
-// Loops compiled once for each width of vector instructions; a call takes the widest that the processor knows. Every
+// Loops compiled once for each width of vector instructions; a call runs the widest that the processor supports. Every
 // lane does the same arithmetic in the same order, so the width changes no bit.
 #pragma once
 
@@ -6,18 +6,18 @@ namespace furrow {
 
 enum class VectorWidth { none, avx2, avx512 };
 
-// The widest that the processor knows, or what the environment variable FURROW_VECTORS names: none, avx2, avx512.
+// The widest that the processor supports, or what the environment variable FURROW_VECTORS names: none, avx2, avx512.
 VectorWidth widest_vectors();
 inline const VectorWidth vector_width = widest_vectors();
 const char* vector_width_name();
 
 }  // namespace furrow
 
-// Inlined into functions for different processors, which a call could not be.
+// Always inlined: a function called from several widths would be compiled for one of them only.
 #define FURROW_WIDE [[gnu::always_inline]] inline
 
-// Defines result name(parameters), which runs name_lanes(arguments), a FURROW_WIDE function, at the width chosen;
-// FURROW_WIDTHS_OF runs name_lanes<N>(arguments), with N doubles in a vector.
+// Defines result name(parameters), which runs name_lanes(arguments), a FURROW_WIDE function, at the chosen width;
+// FURROW_WIDTHS_OF runs name_lanes<N>(arguments), with N doubles a vector.
 // NOLINTBEGIN(bugprone-macro-parentheses): names, parameters and attributes cannot stand in parentheses
 #define FURROW_WIDTHS(result, name, parameters, arguments) \
   FURROW_CHOICE(result, name, parameters, arguments, name##_lanes, name##_lanes, name##_lanes)

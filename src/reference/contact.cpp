@@ -150,7 +150,7 @@ Body surface_b(const Moment& now, const ContactId& pair, const Proximity& near) 
 
 // m: to the contact point. Two discs share the overlap, so that their arms add up to the distance of the centres.
 double moment_arm(const Moment& now, const ContactId& pair, int disc, double overlap) {
-  const double share = pair.kind == disc_disc ? 0.5 * now.parts.moment_arm : now.parts.moment_arm;
+  const double share = pair.kind == disc_disc ? 0.5 * now.parts.arm_shortening : now.parts.arm_shortening;
   return now.parts.disc.radius[disc] - share * overlap;
 }
 

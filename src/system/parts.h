@@ -78,7 +78,7 @@ struct Parts {
   int free_nodes = 0;
 
   double gravity = 0;            // m/s^2
-  double moment_arm = 1;         // 1: to the contact point, 0: the whole radius
+  double arm_shortening = 1;     // -, moment arm = radius - arm_shortening * overlap: to the contact point; 0: radius
   double rolling_smoothing = 0;  // rad/s
   bool friction = false;         // of some contact, sliding or rolling: discs spin and contacts hold a spring
   bool rolling = false;          // friction of some contact

@@ -231,7 +231,7 @@ TEST_F(ManyPairs, ThePowersOfAllChunksAreAddedUp) {
   System system(scene(1e3));
   State y = system.initial_state();
   system.jump(0, y);
-  ASSERT_GT(kernel_of(system.solver()).search().chunks.size(), 1u);
+  ASSERT_GT(kernel_of(system.solver()).search().blocks.size(), 1u);
   const State dydt = rates(system, 0, y);
   const double viscous = sum([&](Vec2 v) {
     const double slip = v.x + 0.2 * arm;

@@ -86,9 +86,9 @@ TEST(Threads, ChangeNoBitOfARun) {
     const RunEnd end = run(system, *make_method("pece"), y, {.start = 0, .end = 2e-3, .step = 2e-5, .stop = {}},
                            [](double, const State&, const JumpReport&) { return true; });
     EXPECT_EQ(end.ending, Ending::finished) << end.reason;
-    EXPECT_EQ(kernel_of(system.solver()).search().chunks.size(), 3u);
+    EXPECT_EQ(kernel_of(system.solver()).search().blocks.size(), 3u);
     EXPECT_GT(kernel_of(system.solver()).search().rebuilds, 2);
-    EXPECT_GT(kernel_of(system.solver()).search().spills, 5000);
+    EXPECT_GT(kernel_of(system.solver()).search().contributions, 5000);
     ends.push_back(y);
   }
   EXPECT_EQ(ends[0], ends[1]);
@@ -103,7 +103,7 @@ TEST(Threads, AreNotUsedForASmallBed) {
 
 // The forces on the lower rows are those of a bed small enough for one block, but for the order of their sums: some ten
 // terms, each rounded by at most 1.1e-16 of the largest.
-TEST(Threads, ManyChunksGiveTheForcesOfOne) {
+TEST(Threads, ManyBlocksGiveTheForcesOfOne) {
   const std::vector<int> order = shuffled(2 * discs_per_block);
   const int lower = 3000;
   System whole(large_bed(order));
@@ -121,7 +121,7 @@ TEST(Threads, ManyChunksGiveTheForcesOfOne) {
     EXPECT_NEAR(rates[whole.vx_of(order[place])], rates_part[part.vx_of(place)], 2e-15 * largest) << place;
     EXPECT_NEAR(rates[whole.vy_of(order[place])], rates_part[part.vy_of(place)], 2e-15 * largest) << place;
   }
-  EXPECT_EQ(kernel_of(part.solver()).search().chunks.size(), 1u);
+  EXPECT_EQ(kernel_of(part.solver()).search().blocks.size(), 1u);
 }
 
 }  // namespace
