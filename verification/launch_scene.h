@@ -24,9 +24,9 @@ inline double resting_overlap(const RoundBody& body, double young) {
   return std::cbrt(std::pow(mass(body) * gravity / (4.0 / 3 * modulus * std::sqrt(radius)), 2));
 }
 
-inline Scene launch_scene(const RoundBody& body, double friction, double young, Lever lever) {
+inline Scene launch_scene(const RoundBody& body, double friction, double young, MomentArm moment_arm) {
   Scene scene;
-  scene.model = {.gravity = gravity, .disc_mass = body.reading, .lever = lever};
+  scene.model = {.gravity = gravity, .disc_mass = body.reading, .moment_arm = moment_arm};
   scene.contact = {.damping_factor = 0.5, .friction = friction};
   scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = poisson});
   scene.wall.push_back({"floor", {0, 0}, {0, 1}, "any"});

@@ -36,7 +36,7 @@ inline double contact_time(const Case& p, double mass, double vn) {
 
 inline Scene plane(const Case& p, const RoundBody& body) {
   Scene scene;
-  scene.model = {.gravity = 0, .disc_mass = body.reading, .lever = Lever::radius};
+  scene.model = {.gravity = 0, .disc_mass = body.reading, .moment_arm = MomentArm::radius};
   scene.contact = {.restitution = p.restitution, .friction = p.friction};
   scene.material.push_back({.name = "body", .density = p.density, .young = p.young, .poisson = p.poisson});
   scene.material.push_back({.name = "plane", .rigid = true});

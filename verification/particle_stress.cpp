@@ -9,7 +9,7 @@
 //   four springs of force T, pure shear:  sxy = 2 b T/V;                     von Mises sqrt((2 b F)^2 + 3 (2 b T)^2)/V
 //
 // Source: statics, by hand; the formula as in Rojek, Karlis, Malinowski and Beer 2013. F = 4/3 E* sqrt(R) d^(3/2) at an
-// overlap of d; b = R - d, or R with `lever = "radius"`.
+// overlap of d; b = R - d, or R with `moment_arm = "radius"`.
 #include <cmath>
 #include <vector>
 
@@ -66,7 +66,7 @@ TEST(ParticleStress, VolumeAndArmAreThoseOfTheReading) {
   deep.model.disc_depth = 0.25;
   expect_stress("disc 0.25 m deep", stress_of(deep), -8 * arm * force / disc_volume, 0, 0);
   Scene whole = boxed({left, right});
-  whole.model.lever = Lever::radius;
+  whole.model.moment_arm = MomentArm::radius;
   expect_stress("whole radius as arm", stress_of(whole), -2 * radius * force / disc_volume, 0, 0);
 }
 

@@ -51,11 +51,11 @@ TEST(RollingResistance, SpinInPlaceDecays) {
 TEST(RollingResistance, WheelSlowsMoreGentlyThanASpinInPlace) {
   requirement("tangential.rolling_decay");
   for (const RoundBody& body : {disc, sphere}) {
-    for (const Lever lever : {Lever::radius, Lever::overlap}) {
-      const double sinking = lever == Lever::overlap ? overlap(mass(body) * gravity, soft) : 0;
+    for (const MomentArm moment_arm : {MomentArm::radius, MomentArm::contact_point}) {
+      const double sinking = moment_arm == MomentArm::contact_point ? overlap(mass(body) * gravity, soft) : 0;
       const double arm = radius - sinking;
-      Scene scene = on_floor(body, 1, lever == Lever::overlap ? soft : young, 0, 1, -1 / arm);
-      scene.model.lever = lever;
+      Scene scene = on_floor(body, 1, moment_arm == MomentArm::contact_point ? soft : young, 0, 1, -1 / arm);
+      scene.model.moment_arm = moment_arm;
       scene.model.rolling_smoothing = 1e-3;
       const System system(scene);
       double early = 0;
@@ -63,7 +63,7 @@ TEST(RollingResistance, WheelSlowsMoreGentlyThanASpinInPlace) {
         if (t < 0.2 + 1e-9) early = y[system.vx_of(0)];
         return true;
       });
-      expect("u' [m/s^2], " + body.name + (lever == Lever::overlap ? ", arm R - d" : ", arm R"),
+      expect("u' [m/s^2], " + body.name + (moment_arm == MomentArm::contact_point ? ", arm R - d" : ", arm R"),
              (ran.y[ran.system.vx_of(0)] - early) / 0.2,
              -rolling * gravity * (radius / arm) / (1 + body.c * radius * radius / (arm * arm)),
              relative(2e-10, "smoothing takes (w0/w)^2/2 off the moment: 9e-11 at 74 rad/s, doubled"));

@@ -28,7 +28,7 @@ inline Scene on_floor(const RoundBody& body, double friction, double e_modulus, 
                       double spin) {
   Scene scene;
   const double level = std::sqrt(1 - rise * rise);
-  scene.model = {.gravity = gravity, .disc_mass = body.reading, .lever = Lever::radius};
+  scene.model = {.gravity = gravity, .disc_mass = body.reading, .moment_arm = MomentArm::radius};
   scene.contact = {.damping_factor = 1, .friction = friction, .rolling_friction = rolling};
   scene.material.push_back({.name = "any", .density = density, .young = e_modulus, .poisson = poisson});
   scene.wall.push_back({"floor", {0, 0}, {-rise, level}, "any"});

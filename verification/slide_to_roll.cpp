@@ -1,7 +1,7 @@
 // A disc set down sliding on a plane: friction slows it and turns it until it rolls.
 //
 //   m u' = -mu m g
-//   c m R^2 omega' = -mu m g a        a: arm of friction, R or, with `lever = "overlap"`, R - d
+//   c m R^2 omega' = -mu m g a        a: arm of friction, R or, with `moment_arm = "contact_point"`, R - d
 //   m u - c m R^2 omega / a = m u0    stays as it is, so it rolls at the end, u = -a omega, with
 //   u_f = u0 / (1 + c (R/a)^2)        2/3 u0 for a disc, 5/7 u0 for a sphere if a = R
 //   t_s = (u0 - u_f) / (mu g)         from then on
@@ -30,7 +30,7 @@ TEST(SlideToRoll, SlidesUniformlyUntilItRolls) {
       double last = 0;     // s, the last step with all of it sliding
       double vx = 0;       // m/s, then
       double surface = 0;  // m/s, omega R then
-      const Scene scene = launch_scene(body, friction, young_hard, Lever::radius);
+      const Scene scene = launch_scene(body, friction, young_hard, MomentArm::radius);
       const System system(scene);
       run_scene(scene, "rk4", rolling_from / 400.5, 1.01 * rolling_from,
                 [&](double t, const State& y, const JumpReport&) {
@@ -56,7 +56,7 @@ TEST(SlideToRoll, KeepsTwoThirdsOfItsSpeedAsADiscAndFiveSeventhsAsASphere) {
   requirement("tangential.slide_to_roll");
   for (const RoundBody& body : {disc, sphere}) {
     for (const double friction : {0.2, 1.0}) {
-      const Scene scene = launch_scene(body, friction, young_hard, Lever::radius);
+      const Scene scene = launch_scene(body, friction, young_hard, MomentArm::radius);
       const Ran ran = run_scene(scene, "rk4", 2e-5, 0.1);
       const double end = launch / (1 + body.c);
       expect("u at the end [m/s]" + which(body, friction), ran.y[ran.system.vx_of(0)], end, rounded);
@@ -73,7 +73,7 @@ TEST(SlideToRoll, LeverToTheContactPointKeepsLess) {
   requirement("tangential.slide_to_roll");
   const double arm = radius - resting_overlap(disc, young_soft);
   const double end = launch / (1 + 0.5 * radius * radius / (arm * arm));
-  Scene scene = launch_scene(disc, 0.5, young_soft, Lever::overlap);
+  Scene scene = launch_scene(disc, 0.5, young_soft, MomentArm::contact_point);
   for (const char* ground : {"wall", "plate"}) {
     if (std::string(ground) == "plate") {  // its upper face where the wall was
       scene.wall.clear();

@@ -25,7 +25,7 @@ inline double overlap(double mass) {
 
 inline Scene slope(double friction, double rolling, double damping) {
   Scene scene;
-  scene.model = {.gravity = gravity, .lever = Lever::radius, .rolling_smoothing = 1e-3};
+  scene.model = {.gravity = gravity, .moment_arm = MomentArm::radius, .rolling_smoothing = 1e-3};
   scene.contact = {.damping_factor = damping, .friction = friction, .rolling_friction = rolling};
   scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = poisson});
   scene.wall.push_back({"slope", {0, 0}, {-rise, level}, "any"});  // falls to the left

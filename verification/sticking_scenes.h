@@ -32,7 +32,7 @@ inline double contact_time(double mass, double reduced_radius, double modulus, d
 
 inline Scene impact(const RoundBody& body, double nu, double height) {
   Scene scene;
-  scene.model = {.gravity = 0, .disc_mass = body.reading, .lever = Lever::radius};
+  scene.model = {.gravity = 0, .disc_mass = body.reading, .moment_arm = MomentArm::radius};
   scene.contact.friction = 1e12;
   scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = nu});
   scene.disc.push_back({{0, height}, radius, {sideways, -closing}, spin, "any"});

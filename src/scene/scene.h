@@ -18,8 +18,8 @@ struct Vec2 {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-enum class DiscMass { disc, sphere };        // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
-enum class Lever { overlap, radius };        // arm of the contact force: to the contact point, or the whole radius
+enum class DiscMass { disc, sphere };            // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
+enum class MomentArm { contact_point, radius };  // of the contact force: to the contact point, or the whole radius
 enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
 enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
 // The fast solver, or the one that is there to be read and to judge it: the same bits, some ten times slower and more
@@ -33,7 +33,7 @@ struct Model {
   double gravity = 9.81;  // m/s^2
   DiscMass disc_mass = DiscMass::disc;
   double disc_depth = 1;  // m, b in the disc reading of the mass
-  Lever lever = Lever::overlap;
+  MomentArm moment_arm = MomentArm::contact_point;
   bool pull = false;             // a contact's viscous force may exceed the elastic one and pull
   double rolling_smoothing = 1;  // rad/s, w0 in w / sqrt(w^2 + w0^2); 1e-2 would be too stiff for the paper's step
 };

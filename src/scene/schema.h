@@ -19,9 +19,9 @@ void describe(auto& v, Model& m) {
            "The body whose mass and moment of inertia a disc has.");
   v("disc_depth", m.disc_depth,
     {"m", positive, "0.5", "Length b of the cylinders; without effect where disc_mass is sphere."});
-  v.choice("lever", m.lever,
-           {{"overlap", Lever::overlap, "to the contact point, between the two surfaces"},
-            {"radius", Lever::radius, "the whole radius"}},
+  v.choice("moment_arm", m.moment_arm,
+           {{"contact_point", MomentArm::contact_point, "to the contact point, between the two surfaces"},
+            {"radius", MomentArm::radius, "the whole radius"}},
            "Moment arm of the tangential force.");
   v("pull", m.pull,
     plain("true", "Whether the viscous force of a contact may exceed the elastic one, so that the contact pulls."));

@@ -81,7 +81,7 @@ double least_radius(const Parts& parts) {
 // Only what matters: a spin where some disc can be turned, a spring where some contact has friction.
 void set_options(const Scene& scene, Parts& parts) {
   parts.gravity = scene.model.gravity;
-  parts.arm_shortening = scene.model.lever == Lever::overlap ? 1 : 0;
+  parts.arm_shortening = scene.model.moment_arm == MomentArm::contact_point ? 1 : 0;
   parts.rolling_smoothing = scene.model.rolling_smoothing;
   for (const ContactLaw& law : parts.law) {
     parts.rolling = parts.rolling || (law.rolling > 0 && parts.disc.count() > 0);

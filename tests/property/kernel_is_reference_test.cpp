@@ -57,7 +57,7 @@ std::vector<Material> materials() {
 void add_options(Scene& s) {
   s.model.gravity = either() ? 9.81 : 0;
   s.model.disc_mass = either() ? DiscMass::sphere : DiscMass::disc;
-  s.model.lever = either() ? Lever::radius : Lever::overlap;
+  s.model.moment_arm = either() ? MomentArm::radius : MomentArm::contact_point;
   s.model.pull = either();
   s.contact.damping_factor = part(up_to(3000));
   s.contact.friction = either() ? part(up_to(1000)) : 0;

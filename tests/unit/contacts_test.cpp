@@ -16,9 +16,9 @@ constexpr double round_off = 1e-9;
 
 // Discs of two materials among walls, a plate and a lattice of a third, after some time: springs are wound.
 struct Busy {
-  static Scene scene(Lever lever) {
+  static Scene scene(MomentArm moment_arm) {
     Scene s = busy_scene(60);
-    s.model.lever = lever;
+    s.model.moment_arm = moment_arm;
     s.contact.restitution.reset();
     s.contact.damping_factor = 0.2;
     s.material.push_back(elastic_material("hard"));
@@ -32,7 +32,7 @@ struct Busy {
     s.lattice[0].structural.strength = s.lattice[0].shear.strength = infinity;
     return s;
   }
-  explicit Busy(Lever lever) : made(scene(lever)), system(made), y(system.initial_state()) {
+  explicit Busy(MomentArm moment_arm) : made(scene(moment_arm)), system(made), y(system.initial_state()) {
     const auto method = make_method("pece");
     const RunEnd end = run(system, *method, y, {.start = 0, .end = until, .step = 5e-5},
                            [](double, const State&, const JumpReport&) { return true; });
@@ -83,7 +83,7 @@ Constants constants(const Scene& scene, const std::string& a, const std::string&
   return c;
 }
 
-class Contacts : public testing::TestWithParam<Lever> {
+class Contacts : public testing::TestWithParam<MomentArm> {
  protected:
   Contacts() : busy(GetParam()), system(busy.system), parts(system.parts()), nodes(system.nodes(busy.y)) {}
 
@@ -121,14 +121,14 @@ class Contacts : public testing::TestWithParam<Lever> {
   void expect(const Contact& c, const Side& a, const Side& b, const Want& want, double reduced_radius,
               double reduced_mass) {
     const bool pair = b.radius > 0;
-    const double lever = GetParam() == Lever::overlap ? 1 : 0;
+    const double shortening = GetParam() == MomentArm::contact_point ? 1 : 0;
     const Constants law = constants(busy.made, a.material, b.material);
     expect_near("nx", c.nx, want.nx, 1);
     expect_near("ny", c.ny, want.ny, 1);
     expect_near("overlap", c.touch.overlap, want.overlap, 1e-4);
     const double overlap = c.touch.overlap;  // a difference: from here on its own digits
-    const double arm_a = a.radius > 0 ? a.radius - lever * overlap * (pair ? 0.5 : 1) : 0;
-    const double arm_b = pair ? b.radius - lever * overlap * 0.5 : 0;
+    const double arm_a = a.radius > 0 ? a.radius - shortening * overlap * (pair ? 0.5 : 1) : 0;
+    const double arm_b = pair ? b.radius - shortening * overlap * 0.5 : 0;
     expect_near("arm a", c.arm_a, arm_a, 1);
     expect_near("arm b", c.arm_b, arm_b, 1);
     expect_near("spin a", c.spin_a, a.spin, 1);
@@ -184,7 +184,7 @@ class Contacts : public testing::TestWithParam<Lever> {
   NodeMotion nodes;
   int wound = 0;
 };
-INSTANTIATE_TEST_SUITE_P(Levers, Contacts, testing::Values(Lever::overlap, Lever::radius));
+INSTANTIATE_TEST_SUITE_P(MomentArms, Contacts, testing::Values(MomentArm::contact_point, MomentArm::radius));
 
 TEST_P(Contacts, AreWhatTheModelSaysAndNoneIsMissing) {
   std::map<ContactKind, int> seen;

@@ -37,7 +37,7 @@ TEST(SceneReader, FillsTheFieldsOfTheThirdScene) {
 TEST(SceneReader, KeepsDefaultsOfWhatIsLeftOut) {
   const Scene scene = parse_scene(good, "f");
   EXPECT_EQ(scene.model.gravity, 9.81);
-  EXPECT_EQ(scene.model.lever, Lever::overlap);
+  EXPECT_EQ(scene.model.moment_arm, MomentArm::contact_point);
   EXPECT_FALSE(scene.settle);
   EXPECT_FALSE(scene.contact.damping_factor);
 }
@@ -45,7 +45,7 @@ TEST(SceneReader, KeepsDefaultsOfWhatIsLeftOut) {
 TEST(SceneReader, TakesAnyFieldOfAnEnumAndOfAPair) {
   const Scene scene = parse_scene(good + R"([model]
 disc_mass = "sphere"
-lever = "radius"
+moment_arm = "radius"
 [search]
 threads = 2
 [[contact.pair]]
@@ -54,7 +54,7 @@ friction = 0
 )",
                                   "f");
   EXPECT_EQ(scene.model.disc_mass, DiscMass::sphere);
-  EXPECT_EQ(scene.model.lever, Lever::radius);
+  EXPECT_EQ(scene.model.moment_arm, MomentArm::radius);
   EXPECT_EQ(scene.search.threads, 2);
   EXPECT_EQ(scene.contact.pair.at(0).friction, 0.0);
   EXPECT_EQ(scene.contact.pair.at(0).rolling_friction, std::nullopt);
@@ -136,10 +136,11 @@ TEST(SceneReader, PlacesAMissingKeyAtTheHeaderOfItsTable) {
 }
 
 TEST(SceneReader, ListsTheWordsOfAnEnum) {
-  EXPECT_EQ(errors_after("[model]\nlever = \"overlop\""),
-            Lines{"14:9: model.lever: must be one of overlap, radius, not \"overlop\"; did you mean \"overlap\"?"});
-  EXPECT_EQ(errors_after("[model]\nlever = 1"),
-            Lines{"14:9: model.lever: must be one of overlap, radius, not an integer"});
+  EXPECT_EQ(errors_after("[model]\nmoment_arm = \"contact_pont\""),
+            Lines{"14:14: model.moment_arm: must be one of contact_point, radius, not \"contact_pont\"; did you mean "
+                  "\"contact_point\"?"});
+  EXPECT_EQ(errors_after("[model]\nmoment_arm = 1"),
+            Lines{"14:14: model.moment_arm: must be one of contact_point, radius, not an integer"});
 }
 
 TEST(SceneReader, SaysWhetherATableIsOneOrOneOfAList) {

@@ -69,7 +69,7 @@ TEST(SceneHash, SeesEveryValue) {
   EXPECT_FALSE(changes_hash([](Scene&) {}));
   EXPECT_TRUE(changes_hash([](Scene& s) { s.title += ' '; }));
   EXPECT_TRUE(changes_hash([](Scene& s) { s.disc[0].radius = std::nextafter(s.disc[0].radius, 1); }));
-  EXPECT_TRUE(changes_hash([](Scene& s) { s.model.lever = Lever::radius; }));
+  EXPECT_TRUE(changes_hash([](Scene& s) { s.model.moment_arm = MomentArm::radius; }));
   EXPECT_TRUE(changes_hash([](Scene& s) { s.lattice[0].fixed_rows = {1}; }));
   EXPECT_TRUE(changes_hash([](Scene& s) { s.settle.emplace(); }));
   EXPECT_TRUE(changes_hash([](Scene& s) { s.output.energy = false; }));

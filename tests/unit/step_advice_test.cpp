@@ -94,9 +94,9 @@ Scene rubbing(double rolling) {
 }
 
 TEST(StepAdvice, OfADiscBetweenTwoWallsIsItsOwnJacobian) {
-  for (const Lever lever : {Lever::overlap, Lever::radius}) {
+  for (const MomentArm moment_arm : {MomentArm::contact_point, MomentArm::radius}) {
     Scene scene = rubbing(0);
-    scene.model.lever = lever;
+    scene.model.moment_arm = moment_arm;
     scene.disc = {disc({0, 0}, 0.1)};
     scene.wall = {wall({0, -0.09999}, {0, 1}), wall({-0.09998, 0}, {1, 0})};
     const Standing s(scene);

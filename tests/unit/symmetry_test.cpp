@@ -80,15 +80,15 @@ TEST(ActionAndReaction, RollingMomentsOfTwoDiscsAreOpposite) {
   EXPECT_NE(torque_on(system, rates(system, 0, y), 0), torque_on(system, rates(system, 0, still), 0));
 }
 
-// lever = "radius": both discs turned by R Ft, as the literature's closed forms have it; moments then do not balance.
-TEST(Lever, OfTheWholeRadiusTurnsByRadiusTimesForce) {
+// `moment_arm = "radius"`: both discs turned by R Ft, as the literature's closed forms have it; moments then do not balance.
+TEST(MomentArm, OfTheWholeRadiusTurnsByRadiusTimesForce) {
   Scene scene = empty_scene();
-  scene.model.lever = Lever::radius;
+  scene.model.moment_arm = MomentArm::radius;
   scene.contact.friction = 1e9;
   scene.disc = {disc({0, 0.27}, 0.3)};
   scene.wall = {wall({0, 0}, {0, 1})};
   for (const double arm : {0.3, 0.27}) {
-    scene.model.lever = arm == 0.3 ? Lever::radius : Lever::overlap;
+    scene.model.moment_arm = arm == 0.3 ? MomentArm::radius : MomentArm::contact_point;
     System system(scene);
     const State y = wound(system);
     const State dydt = rates(system, 0, y);
@@ -98,7 +98,7 @@ TEST(Lever, OfTheWholeRadiusTurnsByRadiusTimesForce) {
   }
 }
 
-TEST(Lever, SurfaceOfASpinningDiscSlipsBySpinTimesArm) {
+TEST(MomentArm, SurfaceOfASpinningDiscSlipsBySpinTimesArm) {
   Scene scene = empty_scene();
   scene.contact.friction = 1;
   scene.disc = {disc({0, 0.27}, 0.3, {0.5, 0}, 2)};

@@ -46,7 +46,7 @@ const long double hertz_stiffness = 4 * modulus * root_radius / 3;
 Scene floor_scene(double friction, double g) {
   Scene scene;
   scene.model.gravity = g;
-  scene.model.lever = Lever::radius;
+  scene.model.moment_arm = MomentArm::radius;
   scene.output.energy = false;
   scene.contact = {.damping_factor = 0, .friction = friction};
   scene.material.push_back({.name = "any", .density = density, .young = young, .poisson = poisson});
