@@ -13,13 +13,13 @@ Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
   for (int i = 0; i < parts_->disc.count(); ++i) {
     inverse_mass_.push_back(1 / parts_->disc.mass[i]);
     inverse_inertia_.push_back(1 / parts_->disc.inertia[i]);
-    weight_.push_back(parts_->gravity);
+    gravity_.push_back(parts_->gravity);
   }
   const NodeArrays& node = parts_->node;
   for (int n = 0; n < node.count(); ++n) {
     if (node.body[n] < 0) continue;
     inverse_mass_.push_back(1 / node.mass[n]);
-    weight_.push_back(node.weight[n]);
+    gravity_.push_back(node.gravity[n]);
   }
   torn_.assign(static_cast<std::size_t>(parts_->link.count()), 0);
   intact_.resize(torn_.size());

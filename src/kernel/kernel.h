@@ -117,9 +117,9 @@ class Kernel final : public Solver {
 
   bool preparing_ = false;
   int threads_ = 1;
-  bool alike_ = false;                                           // all discs have the same radius, mass and material
-  int law_of_pairs_ = -1;                                        // if all discs have the same material
-  std::vector<double> inverse_mass_, inverse_inertia_, weight_;  // by body
+  bool alike_ = false;                                            // all discs have the same radius, mass and material
+  int law_of_pairs_ = -1;                                         // if all discs have the same material
+  std::vector<double> inverse_mass_, inverse_inertia_, gravity_;  // by body
 
   std::vector<char> torn_;
   std::vector<int> intact_;  // links, ascending

@@ -245,7 +245,7 @@ FURROW_WIDE void accelerate_from(std::size_t i, const Real& fx, const Real& fy, 
                                  const DiscRates& rates) {
   const auto inverse_mass = get<Real>(rates.inverse_mass + i);
   put(fx * inverse_mass, rates.ax + i);
-  put(fy * inverse_mass - get<Real>(rates.weight + i), rates.ay + i);
+  put(fy * inverse_mass - get<Real>(rates.gravity + i), rates.ay + i);
   if (rates.turning) put(torque * get<Real>(rates.inverse_inertia + i), rates.turning + i);
 }
 

@@ -36,7 +36,7 @@ struct ContactModel {
 // Where the accelerations of the discs go (m/s^2, rad/s^2), and what they are computed from.
 struct DiscRates {
   double *ax, *ay, *turning;  // turning null: they do not spin
-  const double *inverse_mass, *weight, *inverse_inertia;
+  const double *inverse_mass, *gravity, *inverse_inertia;
 };
 
 // Writes the rows of the discs [first, last).

@@ -16,7 +16,8 @@ void NeighbourSearch::find_flat(const Parts& parts, const Placement& now, Contac
   for (int b = 0; b < static_cast<int>(walls ? parts.wall.size() : parts.plate.size()); ++b) {
     const auto look = [&](int a) {
       ++checks;
-      if (flat_gap(parts, now, kind, a, b).gap < reach) piece.near.push_back({a, b});
+      if (flat_gap(parts, {kind, a, b}, of_disc(kind) ? now.disc(a) : now.node(a), now.t).gap < reach)
+        piece.near.push_back({a, b});
     };
     if (walls) {
       checks += bodies.near_wall(parts.wall[b], reach, look);
@@ -33,14 +34,14 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now, Pi
   const double reach = margin + skin_;
   near_border_.clear();
   for (int s = 0; s < parts.border.count(); ++s) {
+    const Vec2 a = now.node(parts.border.a[s]), b = now.node(parts.border.b[s]);
     const auto look = [&](int disc) {
       const double within = parts.disc.radius[disc] + reach;
       ++checks;
-      if (segment_distance(parts, now, disc, s, 0, false).distance2 < within * within)
+      if (nearest_on_segment(now.disc(disc), a, b, 0, false).distance2 < within * within)
         near_border_.push_back({disc, s});
     };
-    const int i = parts.border.a[s], j = parts.border.b[s];
-    checks += discs_.near_segment(now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j], reach, look);
+    checks += discs_.near_segment(a, b, reach, look);
   }
   std::sort(near_border_.begin(), near_border_.end());
   piece.near.clear();

@@ -101,7 +101,7 @@ void Kernel::finish_rates(State& dydt) const {
                         ay,
                         parts_->friction ? dydt.data() + 4 * layout_.bodies : nullptr,
                         inverse_mass_.data(),
-                        weight_.data(),
+                        gravity_.data(),
                         inverse_inertia_.data()};
   in_ranges(threads_, static_cast<std::size_t>(parts_->disc.count()),
             [&](std::size_t first, std::size_t last) { accelerate(disc_load_.data(), rates, first, last); });
@@ -109,7 +109,7 @@ void Kernel::finish_rates(State& dydt) const {
     const int body = parts_->node.body[n];
     if (body < 0) continue;
     ax[body] = node_fx_[n] * inverse_mass_[body];
-    ay[body] = node_fy_[n] * inverse_mass_[body] - weight_[body];
+    ay[body] = node_fy_[n] * inverse_mass_[body] - gravity_[body];
   }
 }
 
@@ -119,9 +119,9 @@ void Kernel::add_link_forces(double* work) const {
   for (const int k : intact_) {
     const int a = link.a[k];
     const int b = link.b[k];
-    const LinkForce f =
-        link_force(nodes_.x[a] - nodes_.x[b], nodes_.y[a] - nodes_.y[b], nodes_.vx[a] - nodes_.vx[b],
-                   nodes_.vy[a] - nodes_.vy[b], link.rest[k], link.stiffness[k], link.damping[k], link.axial[k] != 0);
+    const LinkForce f = link_force({nodes_.x[a] - nodes_.x[b], nodes_.y[a] - nodes_.y[b]},
+                                   {nodes_.vx[a] - nodes_.vx[b], nodes_.vy[a] - nodes_.vy[b]}, link.rest[k],
+                                   link.stiffness[k], link.damping[k], link.axial[k] != 0);
     node_fx_[a] += f.fx;
     node_fy_[a] += f.fy;
     node_fx_[b] -= f.fx;

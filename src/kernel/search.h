@@ -22,6 +22,14 @@ inline std::uint32_t slot_changes(int slot, std::uint32_t near_at, std::uint32_t
   return (unheld & near) | ((unheld ^ 1) & quiet);
 }
 
+// Where everything is. Arrays of discs and of nodes (fixed ones too).
+struct Placement {
+  double t;                                         // s; 0 while the scene is prepared
+  const double *disc_x, *disc_y, *node_x, *node_y;  // m
+  Vec2 disc(int i) const { return {disc_x[i], disc_y[i]}; }
+  Vec2 node(int n) const { return {node_x[n], node_y[n]}; }
+};
+
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
 struct Candidates {
   std::vector<int> a, b;

@@ -68,18 +68,18 @@ Extent along_wall(const WallPart& wall, double within, Extent y) {
   return wall.nx > 0 ? Extent{-infinity, wall.px + most / wall.nx} : Extent{wall.px + most / wall.nx, infinity};
 }
 
-Extent along_segment(double ax, double ay, double bx, double by, double within, Extent y) {
+Extent along_segment(Vec2 a, Vec2 b, double within, Extent y) {
   double from = 0, to = 1;
-  if (std::fabs(by - ay) > 4 * within) {  // longer than a few rows
-    from = (y.from - within - ay) / (by - ay);
-    to = (y.to + within - ay) / (by - ay);
+  if (std::fabs(b.y - a.y) > 4 * within) {  // longer than a few rows
+    from = (y.from - within - a.y) / (b.y - a.y);
+    to = (y.to + within - a.y) / (b.y - a.y);
     if (from > to) std::swap(from, to);
-    const double slack = 1e-6 + 1e-15 * (std::fabs(ay) + std::fabs(by)) / std::fabs(by - ay);  // covers rounding
+    const double slack = 1e-6 + 1e-15 * (std::fabs(a.y) + std::fabs(b.y)) / std::fabs(b.y - a.y);  // covers rounding
     from = std::clamp(from - slack, 0.0, 1.0);
     to = std::clamp(to + slack, 0.0, 1.0);
   }
-  const double left = ax + from * (bx - ax);
-  const double right = ax + to * (bx - ax);
+  const double left = a.x + from * (b.x - a.x);
+  const double right = a.x + to * (b.x - a.x);
   return {std::min(left, right) - within, std::max(left, right) + within};
 }
 

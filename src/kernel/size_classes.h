@@ -33,7 +33,7 @@ class SizeClasses {
   template <class Visit>
   long near_wall(const WallPart& wall, double reach, Visit&& visit) const;
   template <class Visit>
-  long near_segment(double ax, double ay, double bx, double by, double reach, Visit&& visit) const;
+  long near_segment(Vec2 a, Vec2 b, double reach, Visit&& visit) const;
 
  private:
   struct Class {
@@ -51,7 +51,7 @@ class SizeClasses {
 Extent along_wall(const WallPart& wall, double within, Extent y);
 
 // Where along x points lie that are closer than `within` to the segment, at these y.
-Extent along_segment(double ax, double ay, double bx, double by, double within, Extent y);
+Extent along_segment(Vec2 a, Vec2 b, double within, Extent y);
 
 template <class Visit>
 long SizeClasses::near_box(Extent x, Extent y, double reach, Visit&& visit) const {
@@ -74,13 +74,13 @@ long SizeClasses::near_wall(const WallPart& wall, double reach, Visit&& visit) c
 }
 
 template <class Visit>
-long SizeClasses::near_segment(double ax, double ay, double bx, double by, double reach, Visit&& visit) const {
+long SizeClasses::near_segment(Vec2 a, Vec2 b, double reach, Visit&& visit) const {
   long rows = 0;
   for (const Class& c : classes_) {
     const double within = c.greatest + reach;
     rows += c.grid.in_rows(
-        {std::min(ay, by) - within, std::max(ay, by) + within},
-        [&](Extent y) { return along_segment(ax, ay, bx, by, within, y); }, visit);
+        {std::min(a.y, b.y) - within, std::max(a.y, b.y) + within},
+        [&](Extent y) { return along_segment(a, b, within, y); }, visit);
   }
   return rows;
 }

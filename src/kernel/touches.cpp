@@ -151,7 +151,8 @@ NearestOnSegment Kernel::nearest_border(const Placement& now, int candidate, int
     const int s = list.segment[k];
     const int link = parts_->border.link[s];
     const NearestOnSegment n =
-        segment_distance(*parts_, now, list.a[candidate], s, auxiliary, link >= 0 && torn_[link] != 0);
+        nearest_on_segment(now.disc(list.a[candidate]), now.node(parts_->border.a[s]), now.node(parts_->border.b[s]),
+                           auxiliary, link >= 0 && torn_[link] != 0);
     if (n.distance2 < best.distance2) {
       best = n;
       segment = s;
@@ -181,8 +182,7 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& 
     Gap gap{};
     if (kind == disc_lattice) {
       const NearestOnSegment near = nearest_border(now, k, c.segment[n]);
-      const double distance = std::sqrt(near.distance2);
-      gap = {distance - parts_->disc.radius[a], near.dx / distance, near.dy / distance};
+      gap = border_gap(near, parts_->disc.radius[a]);
       const int i = parts_->border.a[c.segment[n]];
       const int j = parts_->border.b[c.segment[n]];
       const double near_i = 1 - near.share;
@@ -194,7 +194,7 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& 
       c.reduced_mass[n] = 1 / (inverse_mass_[a] + inverse_i + inverse_j);
       c.share[n] = near.share;
     } else {
-      gap = flat_gap(*parts_, now, kind, a, b);
+      gap = flat_gap(*parts_, {kind, a, b}, disc ? now.disc(a) : now.node(a), now.t);
       if (kind == disc_plate || kind == node_plate) {
         const PlateAt at = plate_at(parts_->plate[b], t, preparing_);
         other_vx = at.vx;

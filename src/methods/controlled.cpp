@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/constants.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -11,7 +12,6 @@ namespace {
 constexpr int most_tries = 60;  // a rejected step shrinks to a tenth at most and to 0.8 at least
 constexpr double target = 0.5;
 constexpr double least_error = 1e-6;  // below it a step could grow without end
-constexpr double infinity = HUGE_VAL;
 
 double power_1_8(double x) { return std::sqrt(std::sqrt(std::sqrt(x))); }
 double power_3_8(double x) { return power_1_8(x) * std::sqrt(std::sqrt(x)); }

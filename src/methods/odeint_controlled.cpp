@@ -4,10 +4,10 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_cash_karp54.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
-#include <limits>
 
 #include "methods/odeint.h"
 #include "methods/odeint_memory.h"
+#include "physics/constants.h"
 
 namespace furrow {
 namespace {
@@ -21,7 +21,7 @@ struct LeadingNorm : odeint::range_algebra {
   static double norm_inf(const State& errors) {
     double greatest = 0;
     for (std::size_t i = 0; i < controlled; ++i) {
-      if (!std::isfinite(errors[i])) return std::numeric_limits<double>::infinity();
+      if (!std::isfinite(errors[i])) return infinity;
       greatest = std::max(greatest, std::fabs(errors[i]));
     }
     return greatest;

@@ -3,9 +3,9 @@
 #define BOOST_UBLAS_NDEBUG  // its checks throw on a NaN; here a NaN is to come out, and to be noticed
 #include <boost/numeric/odeint/stepper/implicit_euler.hpp>
 #include <boost/numeric/odeint/stepper/rosenbrock4.hpp>
-#include <limits>
 
 #include "methods/odeint.h"
+#include "physics/constants.h"
 
 namespace furrow {
 namespace {
@@ -70,7 +70,7 @@ class ImplicitEuler final : public Method {
   ImplicitEuler(MethodInfo info, const Tolerances& /*tolerances*/) : Method(std::move(info)) {}
 
   double step(const OdeSystem& system, double t, State& y, double h) override {
-    if (y.size() != x_.size()) stepper_ = Stepper(std::numeric_limits<double>::infinity());
+    if (y.size() != x_.size()) stepper_ = Stepper(infinity);
     x_.resize(y.size(), false);
     std::copy(y.begin(), y.end(), x_.begin());
     differences_.set([&](double time, const State& at, State& rates) { evaluate(system, time, at, rates); }, system);
@@ -96,7 +96,7 @@ class ImplicitEuler final : public Method {
                        " s: its matrix is singular");
   }
 
-  Stepper stepper_{std::numeric_limits<double>::infinity()};
+  Stepper stepper_{infinity};
   Vector x_;
   Differences differences_;
 };

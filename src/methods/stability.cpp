@@ -3,13 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "methods/method.h"
+#include "physics/constants.h"
 
 namespace furrow {
 namespace {
@@ -100,7 +100,7 @@ double first_growing_step(const std::string& name, double zeta) {
   double stable = 0;
   double next = 1e-3 / std::max(1.0, 2 * zeta);
   for (; !grows(name, zeta, next); next *= stride) {
-    if (next > most) return std::numeric_limits<double>::infinity();
+    if (next > most) return infinity;
     stable = next;
   }
   if (stable == 0) return 0;
@@ -119,7 +119,7 @@ std::vector<std::complex<double>> step_eigenvalues(const std::string& method, co
 }
 
 double largest_stable_step(const std::string& name, const Oscillator& o) {
-  if (make_method(name)->info().controlled || o.omega == 0) return std::numeric_limits<double>::infinity();
+  if (make_method(name)->info().controlled || o.omega == 0) return infinity;
   // A scene asks again and again for the damping ratios of its contacts.
   static std::mutex mutex;
   static std::map<std::pair<std::string, double>, double> known;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 
 #include "run/system.h"
 
@@ -30,7 +29,7 @@ class FirstTouch {
   double time() const { return time_; }  // s; infinity: not yet
 
  private:
-  double time_ = std::numeric_limits<double>::infinity();
+  double time_ = infinity;
 };
 
 }  // namespace furrow

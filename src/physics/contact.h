@@ -26,7 +26,7 @@
 
 #include <cmath>
 
-#include "physics/disc.h"
+#include "physics/constants.h"
 
 namespace furrow {
 
@@ -62,7 +62,7 @@ inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, d
   law.shear_ratio = 2 * std::sqrt(law.shear_modulus / law.modulus);
   law.friction = mu;
   law.rolling = mu_rolling;
-  law.floor = pull ? -HUGE_VAL : 0;
+  law.floor = pull ? -infinity : 0;
   return law;
 }
 

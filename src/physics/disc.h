@@ -6,9 +6,9 @@
 //           I = 2/5 m R^2
 #pragma once
 
-namespace furrow {
+#include "physics/constants.h"
 
-inline constexpr double pi = 3.14159265358979323846;
+namespace furrow {
 
 inline double disc_volume(double radius, double depth) { return pi * radius * radius * depth; }    // m^3
 inline double sphere_volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }   // m^3

@@ -1,9 +1,11 @@
-// Nearest points and signed distances. Unit vectors n point from the disc or node to the other part, from inside of a
-// rectangle against the nearest way out.
+// Nearest points and signed distances. The unit vector (nx, ny) points from the disc or node to the other part; inside a
+// rectangle it points away from the nearest way out.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+
+#include "physics/vec2.h"
 
 namespace furrow {
 
@@ -12,26 +14,27 @@ struct Nearest {
   double nx, ny;
 };
 
-// The side of the line that the unit normal (wx, wy) points to is free.
-inline Nearest nearest_on_wall(double x, double y, double px, double py, double wx, double wy) {
-  return {(x - px) * wx + (y - py) * wy, -wx, -wy};
+struct Rectangle {
+  double left, right, lower, upper;  // m
+};
+
+// The line through `point`; the side that its unit normal points to is free.
+inline Nearest nearest_on_wall(Vec2 p, Vec2 point, Vec2 normal) {
+  return {dot(p - point, normal), -normal.x, -normal.y};
 }
 
-// Rectangle [left, right] x [lower, upper]. From inside the way out is through the nearest face; of two equally near
-// ones the first of left, right, lower, upper.
-inline Nearest nearest_on_rectangle(double x, double y, double left, double right, double lower, double upper) {
-  const double cx = std::min(std::max(x, left), right);
-  const double cy = std::min(std::max(y, lower), upper);
-  if (cx != x || cy != y) {
-    const double dx = cx - x;
-    const double dy = cy - y;
-    const double distance = std::sqrt(dx * dx + dy * dy);
-    return {distance, dx / distance, dy / distance};
+// From inside the way out is through the nearest face; of two equally near ones the first of left, right, lower, upper.
+inline Nearest nearest_on_rectangle(Vec2 p, const Rectangle& r) {
+  const Vec2 nearest{std::min(std::max(p.x, r.left), r.right), std::min(std::max(p.y, r.lower), r.upper)};
+  if (nearest != p) {
+    const Vec2 d = nearest - p;
+    const double distance = std::sqrt(dot(d, d));
+    return {distance, d.x / distance, d.y / distance};
   }
-  Nearest out{-(x - left), 1, 0};
-  if (-(right - x) > out.distance) out = {-(right - x), -1, 0};
-  if (-(y - lower) > out.distance) out = {-(y - lower), 0, 1};
-  if (-(upper - y) > out.distance) out = {-(upper - y), 0, -1};
+  Nearest out{-(p.x - r.left), 1, 0};
+  if (-(r.right - p.x) > out.distance) out = {-(r.right - p.x), -1, 0};
+  if (-(p.y - r.lower) > out.distance) out = {-(p.y - r.lower), 0, 1};
+  if (-(r.upper - p.y) > out.distance) out = {-(r.upper - p.y), 0, -1};
   return out;
 }
 
@@ -41,22 +44,20 @@ struct NearestOnSegment {
   double share;      // 0 at a, 1 at b
 };
 
-// Of the end nodes and `auxiliary` equally spaced points between them the nearest to (x, y); auxiliary = 0: the exact
+// The nearest to p among the end nodes a, b and `auxiliary` equally spaced points between them; auxiliary = 0: the exact
 // nearest point of the segment. A torn segment has only its ends left.
-inline NearestOnSegment nearest_on_segment(double x, double y, double ax, double ay, double bx, double by,
-                                           int auxiliary, bool torn) {
-  const double ux = bx - ax;
-  const double uy = by - ay;
-  const double length2 = ux * ux + uy * uy;
-  const double along = (x - ax) * ux + (y - ay) * uy;
+inline NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b, int auxiliary, bool torn) {
+  const Vec2 u = b - a;
+  const double length2 = dot(u, u);
+  const double along = dot(p - a, u);
   double share = length2 > 0 ? std::min(std::max(along / length2, 0.0), 1.0) : 0.0;
   if (torn) {
     share = share < 0.5 ? 0 : 1;
   } else if (auxiliary > 0) {  // equally spaced: the nearest one is the nearest to the foot of the perpendicular
     share = std::floor(share * (auxiliary + 1) + 0.5) / (auxiliary + 1);
   }
-  const double dx = ax + share * ux - x;
-  const double dy = ay + share * uy - y;
+  const double dx = a.x + share * u.x - p.x;
+  const double dy = a.y + share * u.y - p.y;
   return {dx * dx + dy * dy, dx, dy, share};
 }
 

@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+#include "physics/vec2.h"
+
 namespace furrow {
 
 struct LinkForce {
@@ -19,20 +21,17 @@ struct LinkForce {
   double damping;  // W, taken by the damper
 };
 
-// (rx, ry) m and (vx, vy) m/s of node i against node j; rest length m, stiffness N/m, damping N s/m.
-inline LinkForce link_force(double rx, double ry, double vx, double vy, double rest, double stiffness, double damping,
-                            bool axial) {
+// r (m) and v (m/s) of node i against node j; rest length m, stiffness N/m, damping N s/m.
+inline LinkForce link_force(Vec2 r, Vec2 v, double rest, double stiffness, double damping, bool axial) {
   LinkForce f{};
-  const double length = std::sqrt(rx * rx + ry * ry);
-  const double ex = rx / length;
-  const double ey = ry / length;
+  const double length = std::sqrt(dot(r, r));
+  const Vec2 e{r.x / length, r.y / length};
   f.spring = stiffness * (length - rest);
-  const double stretching = vx * ex + vy * ey;
-  const double dx = axial ? stretching * ex : vx;
-  const double dy = axial ? stretching * ey : vy;
-  f.fx = -f.spring * ex - damping * dx;
-  f.fy = -f.spring * ey - damping * dy;
-  f.damping = damping * (dx * vx + dy * vy);
+  const double stretching = dot(v, e);
+  const Vec2 damped = axial ? Vec2{stretching * e.x, stretching * e.y} : v;
+  f.fx = -f.spring * e.x - damping * damped.x;
+  f.fy = -f.spring * e.y - damping * damped.y;
+  f.damping = damping * dot(damped, v);
   return f;
 }
 

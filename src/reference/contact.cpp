@@ -10,14 +10,14 @@ namespace furrow::reference {
 Body disc_of(const Moment& now, int disc) {
   const Layout& at = now.layout;
   const double spin = now.parts.friction ? now.y[at.spin_of(disc)] : 0;
-  return {now.y[at.x_of(disc)], now.y[at.y_of(disc)], now.y[at.vx_of(disc)], now.y[at.vy_of(disc)], spin};
+  return {{now.y[at.x_of(disc)], now.y[at.y_of(disc)]}, {now.y[at.vx_of(disc)], now.y[at.vy_of(disc)]}, spin};
 }
 
 Body node_of(const Moment& now, int node) {
   const Layout& at = now.layout;
   const int body = now.parts.node.body[node];
-  if (body < 0) return {now.parts.node.x[node], now.parts.node.y[node], 0, 0, 0};  // fixed
-  return {now.y[at.x_of(body)], now.y[at.y_of(body)], now.y[at.vx_of(body)], now.y[at.vy_of(body)], 0};
+  if (body < 0) return {{now.parts.node.x[node], now.parts.node.y[node]}, {}, 0};  // fixed
+  return {{now.y[at.x_of(body)], now.y[at.y_of(body)]}, {now.y[at.vx_of(body)], now.y[at.vy_of(body)]}, 0};
 }
 
 namespace {
@@ -29,70 +29,53 @@ Body body_a(const Moment& now, const ContactId& pair) {
 // ---- geometry ----
 
 Proximity between_discs(const Moment& now, const ContactId& pair) {
-  const Body a = disc_of(now, pair.a);
-  const Body b = disc_of(now, pair.b);
+  const Vec2 d = disc_of(now, pair.b).at - disc_of(now, pair.a).at;
   const double within = now.parts.disc.radius[pair.a] + now.parts.disc.radius[pair.b];  // m, distance at touch
   const double reach = within + now.parts.margin;
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double distance2 = dx * dx + dy * dy;
+  const double distance2 = dot(d, d);
   if (!(distance2 < reach * reach)) return {};
   const double distance = std::sqrt(distance2);
   Proximity found;
   found.near = true;
   found.touching = distance2 < within * within;
   found.overlap = within - distance;
-  found.nx = dx / distance;
-  found.ny = dy / distance;
+  found.nx = d.x / distance;
+  found.ny = d.y / distance;
   return found;
 }
 
-// The surface of b is `distance` from the point of a; a disc reaches it by its radius, a node by nothing.
-Proximity at_surface(const Moment& now, const ContactId& pair, double distance, double nx, double ny) {
-  const double gap = distance - (of_disc(pair.kind) ? now.parts.disc.radius[pair.a] : 0);
+Proximity across(const Moment& now, const Gap& gap) {
   Proximity found;
-  found.near = gap < now.parts.margin;
-  found.touching = gap < 0;
-  found.overlap = -gap;
-  found.nx = nx;
-  found.ny = ny;
+  found.near = gap.gap < now.parts.margin;
+  found.touching = gap.gap < 0;
+  found.overlap = -gap.gap;
+  found.nx = gap.nx;
+  found.ny = gap.ny;
   return found;
 }
 
-Proximity to_wall(const Moment& now, const ContactId& pair) {
-  const Body a = body_a(now, pair);
-  const WallPart& w = now.parts.wall[pair.b];
-  const Nearest n = nearest_on_wall(a.x, a.y, w.px, w.py, w.nx, w.ny);
-  return at_surface(now, pair, n.distance, n.nx, n.ny);
-}
-
-Proximity to_plate(const Moment& now, const ContactId& pair) {
-  const Body a = body_a(now, pair);
-  const PlatePart& p = now.parts.plate[pair.b];
-  const PlateAt at = plate_at(p, now.t, now.discrete.preparing);
-  const Nearest n = nearest_on_rectangle(a.x, a.y, at.left, at.left + p.width, at.lower, at.lower + p.height);
-  return at_surface(now, pair, n.distance, n.nx, n.ny);
+Proximity to_wall_or_plate(const Moment& now, const ContactId& pair) {
+  return across(now, flat_gap(now.parts, pair, body_a(now, pair).at, now.discrete.preparing ? 0 : now.t));
 }
 
 // The nearest point of the border; of two equally near the one on the first segment.
 Proximity to_lattice(const Moment& now, const ContactId& pair) {
   const BorderArrays& border = now.parts.border;
-  const Body a = disc_of(now, pair.a);
+  const Vec2 a = disc_of(now, pair.a).at;
   const int auxiliary = now.parts.lattice[pair.b].auxiliary_points;
   NearestOnSegment nearest{infinity, 0, 0, 0};
   int segment = -1;
   for (int s = 0; s < border.count(); ++s) {
     if (border.lattice[s] != pair.b) continue;
-    const Body i = node_of(now, border.a[s]);
-    const Body j = node_of(now, border.b[s]);
+    const Vec2 i = node_of(now, border.a[s]).at;
+    const Vec2 j = node_of(now, border.b[s]).at;
     const bool torn = border.link[s] >= 0 && is_torn(now.discrete, border.link[s]);
-    const NearestOnSegment n = nearest_on_segment(a.x, a.y, i.x, i.y, j.x, j.y, auxiliary, torn);
+    const NearestOnSegment n = nearest_on_segment(a, i, j, auxiliary, torn);
     if (!(n.distance2 < nearest.distance2)) continue;
     nearest = n;
     segment = s;
   }
-  const double distance = std::sqrt(nearest.distance2);
-  Proximity found = at_surface(now, pair, distance, nearest.dx / distance, nearest.dy / distance);
+  Proximity found = across(now, border_gap(nearest, now.parts.disc.radius[pair.a]));
   found.segment = segment;
   found.share = nearest.share;
   return found;
@@ -140,12 +123,12 @@ Body surface_b(const Moment& now, const ContactId& pair, const Proximity& near) 
   if (pair.kind == disc_disc) return disc_of(now, pair.b);
   if (of_plate(pair.kind)) {
     const PlateAt at = plate_at(now.parts.plate[pair.b], now.t, now.discrete.preparing);
-    return {0, 0, at.vx, at.vy, 0};
+    return {{}, {at.vx, at.vy}, 0};
   }
   if (of_wall(pair.kind)) return {};
-  const Body i = node_of(now, now.parts.border.a[near.segment]);
-  const Body j = node_of(now, now.parts.border.b[near.segment]);
-  return {0, 0, (1 - near.share) * i.vx + near.share * j.vx, (1 - near.share) * i.vy + near.share * j.vy, 0};
+  const Vec2 i = node_of(now, now.parts.border.a[near.segment]).velocity;
+  const Vec2 j = node_of(now, now.parts.border.b[near.segment]).velocity;
+  return {{}, {(1 - near.share) * i.x + near.share * j.x, (1 - near.share) * i.y + near.share * j.y}, 0};
 }
 
 // m: to the contact point. Two discs share the overlap, so that their arms add up to the distance of the centres.
@@ -160,16 +143,11 @@ Proximity proximity(const Moment& now, const ContactId& pair) {
   switch (pair.kind) {
     case disc_disc:
       return between_discs(now, pair);
-    case disc_wall:
-    case node_wall:
-      return to_wall(now, pair);
-    case disc_plate:
-    case node_plate:
-      return to_plate(now, pair);
     case disc_lattice:
-      break;
+      return to_lattice(now, pair);
+    default:
+      return to_wall_or_plate(now, pair);
   }
-  return to_lattice(now, pair);
 }
 
 Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near) {
@@ -185,8 +163,8 @@ Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& ne
 
   const Body a = body_a(now, pair);
   const Body b = surface_b(now, pair, near);
-  c.vx = -(b.vx - a.vx);  // of a against b; -(vb - va), so that a zero has the sign that the kernel gives it
-  c.vy = -(b.vy - a.vy);
+  c.vx = -(b.velocity.x - a.velocity.x);  // of a against b; -(vb - va), so that a zero has the kernel's sign
+  c.vy = -(b.velocity.y - a.velocity.y);
   c.spin_a = a.spin;
   c.spin_b = b.spin;
   c.arm_a = of_disc(pair.kind) ? moment_arm(now, pair, pair.a, near.overlap) : 0;

@@ -71,7 +71,7 @@ void add_links(const Moment& now, Sums& sums) {
     if (is_torn(now.discrete, k)) continue;
     const Body a = node_of(now, link.a[k]);
     const Body b = node_of(now, link.b[k]);
-    const LinkForce f = link_force(a.x - b.x, a.y - b.y, a.vx - b.vx, a.vy - b.vy, link.rest[k], link.stiffness[k],
+    const LinkForce f = link_force(a.at - b.at, a.velocity - b.velocity, link.rest[k], link.stiffness[k],
                                    link.damping[k], link.axial[k] != 0);
     add(sums.node[link.a[k]], f.fx, f.fy, 0);
     add(sums.node[link.b[k]], -f.fx, -f.fy, 0);
@@ -92,7 +92,7 @@ void accelerate(const Moment& now, const Sums& sums, State& rates) {
     const int body = parts.node.body[n];
     if (body < 0) continue;
     rates[at.vx_of(body)] = sums.node[n].fx * (1 / parts.node.mass[n]);
-    rates[at.vy_of(body)] = sums.node[n].fy * (1 / parts.node.mass[n]) - parts.node.weight[n];
+    rates[at.vy_of(body)] = sums.node[n].fy * (1 / parts.node.mass[n]) - parts.node.gravity[n];
   }
 }
 

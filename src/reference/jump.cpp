@@ -110,11 +110,9 @@ std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& 
   double released = 0;  // J
   for (int k = 0; k < link.count(); ++k) {
     if (is_torn(now.discrete, k)) continue;
-    const Body a = node_of(now, link.a[k]);
-    const Body b = node_of(now, link.b[k]);
-    const double rx = a.x - b.x, ry = a.y - b.y;
-    const double stretch = std::sqrt(rx * rx + ry * ry) - link.rest[k];  // m
-    const double force = link.stiffness[k] * stretch;                    // N
+    const Vec2 r = node_of(now, link.a[k]).at - node_of(now, link.b[k]).at;
+    const double stretch = std::sqrt(dot(r, r)) - link.rest[k];  // m
+    const double force = link.stiffness[k] * stretch;            // N
     if (!((link.in_magnitude[k] != 0 ? std::fabs(force) : force) > link.strength[k])) continue;
     tears.push_back({now.t, k, force});
     released += 0.5 * force * stretch;

@@ -29,9 +29,9 @@ struct Moment {
 };
 
 struct Body {
-  double x, y;    // m
-  double vx, vy;  // m/s
-  double spin;    // rad/s
+  Vec2 at;          // m
+  Vec2 velocity;    // m/s
+  double spin = 0;  // rad/s
 };
 
 Body disc_of(const Moment& now, int disc);

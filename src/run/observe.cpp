@@ -10,11 +10,11 @@ namespace {
 void add_motion(const System& system, const State& y, Observation& seen) {
   const Parts& parts = system.parts();
   const NodeArrays& node = parts.node;
-  const auto add_body = [&](int body, double mass, double weight) {
+  const auto add_body = [&](int body, double mass, double gravity) {
     const double vx = y[system.vx_of(body)];
     const double vy = y[system.vy_of(body)];
     seen.energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
-    seen.energy.gravity += mass * weight * y[system.y_of(body)];
+    seen.energy.gravity += mass * gravity * y[system.y_of(body)];
     seen.momentum.x += mass * vx;
     seen.momentum.y += mass * vy;
     seen.momentum.angular += mass * (y[system.x_of(body)] * vy - y[system.y_of(body)] * vx);
@@ -27,7 +27,7 @@ void add_motion(const System& system, const State& y, Observation& seen) {
   }
   for (int n = 0; n < node.count(); ++n) {
     if (node.body[n] < 0) continue;
-    add_body(node.body[n], node.mass[n], node.weight[n]);
+    add_body(node.body[n], node.mass[n], node.gravity[n]);
     seen.energy.load -= node.load_x[n] * (y[system.x_of(node.body[n])] - node.x[n]) +
                         node.load_y[n] * (y[system.y_of(node.body[n])] - node.y[n]);
   }

@@ -32,14 +32,14 @@ class PlacedDiscs {
     cells_[{std::floor(d.position.x / width_), std::floor(d.position.y / width_)}].push_back(d);
   }
 
-  bool free(double x, double y, double radius) const {
+  bool free(Vec2 at, double radius) const {
     const auto overlaps = [&](const Disc& d) {
-      const double dx = d.position.x - x, dy = d.position.y - y;
-      return dx * dx + dy * dy < (d.radius + radius) * (d.radius + radius);
+      const Vec2 between = d.position - at;
+      return dot(between, between) < (d.radius + radius) * (d.radius + radius);
     };
     for (const double row : {-1, 0, 1}) {
       for (const double column : {-1, 0, 1}) {
-        const auto cell = cells_.find({std::floor(x / width_) + column, std::floor(y / width_) + row});
+        const auto cell = cells_.find({std::floor(at.x / width_) + column, std::floor(at.y / width_) + row});
         if (cell != cells_.end() && std::any_of(cell->second.begin(), cell->second.end(), overlaps)) return false;
       }
     }
@@ -51,13 +51,12 @@ class PlacedDiscs {
   std::map<std::pair<double, double>, std::vector<Disc>> cells_;  // by column and row
 };
 
-bool free_of_parts(const Scene& scene, double x, double y, double radius) {
+bool free_of_parts(const Scene& scene, Vec2 at, double radius) {
   const auto off_wall = [&](const Wall& w) {
-    const Vec2 normal = unit_vector(w.normal);
-    return nearest_on_wall(x, y, w.point.x, w.point.y, normal.x, normal.y).distance >= radius;
+    return nearest_on_wall(at, w.point, unit_vector(w.normal)).distance >= radius;
   };
   const auto off_rectangle = [&](double left, double lower, double width, double height) {
-    return nearest_on_rectangle(x, y, left, left + width, lower, lower + height).distance >= radius;
+    return nearest_on_rectangle(at, {left, left + width, lower, lower + height}).distance >= radius;
   };
   return std::all_of(scene.wall.begin(), scene.wall.end(), off_wall) &&
          std::all_of(scene.plate.begin(), scene.plate.end(),
@@ -77,20 +76,20 @@ bool place(Scene& scene, const Packing& p, std::size_t index, long& left) {
     const double radius = p.radius_min + (p.radius_max - p.radius_min) * uniform(random);
     const double width = p.upper_right.x - p.lower_left.x - 2 * radius;
     const double height = p.upper_right.y - p.lower_left.y - 2 * radius;
-    double x = 0, y = 0;
+    Vec2 at;
     bool found = false;
     throw_if_interrupted();
     for (int attempt = 0; attempt < most_for_one && !found; ++attempt) {
       if (--left < 0) return false;
-      x = p.lower_left.x + radius + width * uniform(random);
-      y = p.lower_left.y + radius + height * uniform(random);
-      found = placed.free(x, y, radius) && free_of_parts(scene, x, y, radius);
+      at.x = p.lower_left.x + radius + width * uniform(random);
+      at.y = p.lower_left.y + radius + height * uniform(random);
+      found = placed.free(at, radius) && free_of_parts(scene, at, radius);
     }
     if (!found) {
       throw NoRoom(index, "no room for disc " + std::to_string(n) + " of " + std::to_string(p.count) +
                               " in its rectangle; make the rectangle higher");
     }
-    scene.disc.push_back({.position = {x, y}, .radius = radius, .velocity = {}, .spin = 0, .material = p.material});
+    scene.disc.push_back({.position = at, .radius = radius, .velocity = {}, .spin = 0, .material = p.material});
     placed.add(scene.disc.back());
   }
   // A large bed is numbered by place, so that neighbours are near in memory.

@@ -3,30 +3,23 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "physics/constants.h"
+#include "physics/vec2.h"
+
 namespace furrow {
-
-struct Vec2 {
-  double x = 0;
-  double y = 0;
-  bool operator==(const Vec2&) const = default;
-};
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 enum class DiscMass { disc, sphere };            // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
 enum class MomentArm { contact_point, radius };  // of the contact force: to the contact point, or the whole radius
 enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
 enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
-// The fast solver, or the one that is there to be read and to judge it: the same bits, some ten times slower and more
-// in larger beds.
+// The fast solver, or the one made to be read: the same bits, at least ten times slower, and more so in larger beds.
 enum class SolverKind { kernel, reference };
-// What steps end at: nothing (a tear is learnt of at the end of its step, as in the paper), tears, or touches and slips
-// too, which is for scenes with few of them. See events.h.
+// Events at which a step ends early: none (as in the paper: links tear at the end of a step), tears, or also touches
+// and slips, for scenes with few of them. See events.h.
 enum class Locate { none, tears, all };
 
 struct Model {

@@ -139,13 +139,12 @@ class StartJudge {
   }
 
   double distance_to_wall(std::size_t k, Vec2 p) const {
-    const Wall& w = scene_.wall[k];
-    return nearest_on_wall(p.x, p.y, w.point.x, w.point.y, normal_[k].x, normal_[k].y).distance;
+    return nearest_on_wall(p, scene_.wall[k].point, normal_[k]).distance;
   }
 
   double distance_to_plate(std::size_t k, Vec2 p) const {
     const Plate& r = scene_.plate[k];
-    return nearest_on_rectangle(p.x, p.y, r.left_edge, r.left_edge + r.width, *r.lower_edge, *r.lower_edge + r.height)
+    return nearest_on_rectangle(p, {r.left_edge, r.left_edge + r.width, *r.lower_edge, *r.lower_edge + r.height})
         .distance;
   }
 

@@ -133,7 +133,7 @@ class LatticeBuilder {
         n.y.push_back(l.origin.y + row * l.spacing);
         for (auto* field : {&n.vx, &n.vy, &n.load_x, &n.load_y}) field->push_back(0);
         n.mass.push_back(l.node_mass);
-        n.weight.push_back(l.gravity ? scene_.model.gravity : 0);
+        n.gravity.push_back(l.gravity ? scene_.model.gravity : 0);
         n.contact_radius.push_back(l.contact_radius);
         n.spacing.push_back(l.spacing);
         n.body.push_back(fixed ? -1 : parts_.disc.count() + parts_.free_nodes++);

@@ -22,7 +22,7 @@ struct DiscArrays {
 // Nodes of all lattices, one after the other, row by row.
 struct NodeArrays {
   std::vector<double> x, y, vx, vy;             // m, m/s at t = 0; fixed nodes stay there
-  std::vector<double> mass, weight;             // kg; m/s^2, 0 for lattices without gravity
+  std::vector<double> mass, gravity;            // kg; m/s^2, 0 for lattices without gravity
   std::vector<double> load_x, load_y;           // N
   std::vector<double> contact_radius, spacing;  // m
   std::vector<int> body;                        // index among the moving bodies, -1 if fixed

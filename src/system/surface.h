@@ -7,22 +7,9 @@
 
 namespace furrow {
 
-// Where everything is. Arrays of discs and of nodes (fixed ones too); m, s.
-struct Placement {
-  double t;
-  const double* disc_x;
-  const double* disc_y;
-  const double* node_x;
-  const double* node_y;
-};
-
 struct Gap {
   double gap;     // m, between the surfaces; negative: the overlap
   double nx, ny;  // unit vector from the disc or node to the other part
-};
-
-struct Rectangle {
-  double left, right, lower, upper;  // m
 };
 
 struct PlateAt {
@@ -36,33 +23,26 @@ inline PlateAt plate_at(const PlatePart& p, double t, bool preparing) {
 }
 
 inline Rectangle rectangle_at(const PlatePart& p, double t) {
-  const double left = p.left + p.vx * t;
-  const double lower = p.lower + p.vy * t;
-  return {left, left + p.width, lower, lower + p.height};
+  const PlateAt at = plate_at(p, t, false);
+  return {at.left, at.left + p.width, at.lower, at.lower + p.height};
 }
 
-// Disc or node `a` against wall or plate `b`.
-inline Gap flat_gap(const Parts& parts, const Placement& now, ContactKind kind, int a, int b) {
-  const double x = of_disc(kind) ? now.disc_x[a] : now.node_x[a];
-  const double y = of_disc(kind) ? now.disc_y[a] : now.node_y[a];
+// A disc or node at `a` against the wall or plate of the pair. t: s, 0 while a scene is prepared.
+inline Gap flat_gap(const Parts& parts, const ContactId& pair, Vec2 a, double t) {
   Nearest n{};
-  if (of_wall(kind)) {
-    const WallPart& w = parts.wall[b];
-    n = nearest_on_wall(x, y, w.px, w.py, w.nx, w.ny);
+  if (of_wall(pair.kind)) {
+    const WallPart& w = parts.wall[pair.b];
+    n = nearest_on_wall(a, {w.px, w.py}, {w.nx, w.ny});
   } else {
-    const Rectangle p = rectangle_at(parts.plate[b], now.t);
-    n = nearest_on_rectangle(x, y, p.left, p.right, p.lower, p.upper);
+    n = nearest_on_rectangle(a, rectangle_at(parts.plate[pair.b], t));
   }
-  return {n.distance - (of_disc(kind) ? parts.disc.radius[a] : 0), n.nx, n.ny};
+  return {n.distance - (of_disc(pair.kind) ? parts.disc.radius[pair.a] : 0), n.nx, n.ny};
 }
 
-// Disc `a` against the border segment `s`; auxiliary and torn as in nearest_on_segment.
-inline NearestOnSegment segment_distance(const Parts& parts, const Placement& now, int a, int s, int auxiliary,
-                                         bool torn) {
-  const int i = parts.border.a[s];
-  const int j = parts.border.b[s];
-  return nearest_on_segment(now.disc_x[a], now.disc_y[a], now.node_x[i], now.node_y[i], now.node_x[j], now.node_y[j],
-                            auxiliary, torn);
+// A disc against the nearest point of a border.
+inline Gap border_gap(const NearestOnSegment& n, double radius) {
+  const double distance = std::sqrt(n.distance2);
+  return {distance - radius, n.dx / distance, n.dy / distance};
 }
 
 }  // namespace furrow

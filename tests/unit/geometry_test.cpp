@@ -28,13 +28,13 @@ class Uniform {
 };
 
 TEST(NearestOnWall, DistanceIsSignedAndNormalPointsIntoTheWall) {
-  expect_nearest(nearest_on_wall(7, 3, 1, 1, 0, 1), 2, 0, -1);
-  expect_nearest(nearest_on_wall(7, 0.5, 1, 1, 0, 1), -0.5, 0, -1);
-  expect_nearest(nearest_on_wall(3, 4, 0, 0, 0.6, 0.8), 5, -0.6, -0.8);
+  expect_nearest(nearest_on_wall({7, 3}, {1, 1}, {0, 1}), 2, 0, -1);
+  expect_nearest(nearest_on_wall({7, 0.5}, {1, 1}, {0, 1}), -0.5, 0, -1);
+  expect_nearest(nearest_on_wall({3, 4}, {0, 0}, {0.6, 0.8}), 5, -0.6, -0.8);
 }
 
 // The rectangle [1, 3] x [0, 1].
-Nearest on_rectangle(double x, double y) { return nearest_on_rectangle(x, y, 1, 3, 0, 1); }
+Nearest on_rectangle(double x, double y) { return nearest_on_rectangle({x, y}, {1, 3, 0, 1}); }
 
 TEST(NearestOnRectangle, FromOutsideAFaceIsStraightAcross) {
   expect_nearest(on_rectangle(0.5, 0.5), 0.5, 1, 0);
@@ -66,11 +66,11 @@ TEST(NearestOnRectangle, OnTheEdgeTheDistanceIsZero) {
 }
 
 TEST(NearestOnRectangle, TiesGoToTheFirstOfLeftRightLowerUpper) {
-  expect_nearest(on_rectangle(1.25, 0.25), -0.25, 1, 0);               // left and lower
-  expect_nearest(on_rectangle(2.75, 0.75), -0.25, -1, 0);              // right and upper
-  expect_nearest(on_rectangle(2, 0.5), -0.5, 0, 1);                    // lower and upper
-  expect_nearest(nearest_on_rectangle(0, 0, -1, 1, -1, 1), -1, 1, 0);  // all four
-  expect_nearest(nearest_on_rectangle(0, 0, -1, 1, -5, 5), -1, 1, 0);  // left and right
+  expect_nearest(on_rectangle(1.25, 0.25), -0.25, 1, 0);                   // left and lower
+  expect_nearest(on_rectangle(2.75, 0.75), -0.25, -1, 0);                  // right and upper
+  expect_nearest(on_rectangle(2, 0.5), -0.5, 0, 1);                        // lower and upper
+  expect_nearest(nearest_on_rectangle({0, 0}, {-1, 1, -1, 1}), -1, 1, 0);  // all four
+  expect_nearest(nearest_on_rectangle({0, 0}, {-1, 1, -5, 5}), -1, 1, 0);  // left and right
 }
 
 TEST(NearestOnRectangle, AgreesWithBruteForceOverItsBoundary) {
@@ -112,7 +112,7 @@ TEST(NearestOnSegment, NineAuxiliaryPointsAgreeWithBruteForceOverEleven) {
       const double dy = s.ay + k * 0.1 * (s.by - s.ay) - y;
       least2 = std::min(least2, dx * dx + dy * dy);
     }
-    const NearestOnSegment got = nearest_on_segment(x, y, s.ax, s.ay, s.bx, s.by, 9, false);
+    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, 9, false);
     EXPECT_NEAR(got.distance2, least2, 1e-13);
     EXPECT_NEAR(got.share * 10, std::round(got.share * 10), 1e-14);
     EXPECT_NEAR(x + got.dx, s.ax + got.share * (s.bx - s.ax), 1e-14);
@@ -127,7 +127,7 @@ TEST(NearestOnSegment, ExactPointIsPerpendicularOrAnEnd) {
     const Segment s = random_segment(uniform);
     const double x = uniform(-1.5, 1.5);
     const double y = uniform(-1.5, 1.5);
-    const NearestOnSegment got = nearest_on_segment(x, y, s.ax, s.ay, s.bx, s.by, 0, false);
+    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, 0, false);
     const double along =
         got.dx * (s.bx - s.ax) + got.dy * (s.by - s.ay);  // of the way from the point to the nearest one
     if (got.share > 0 && got.share < 1) {
@@ -139,7 +139,7 @@ TEST(NearestOnSegment, ExactPointIsPerpendicularOrAnEnd) {
 }
 
 TEST(NearestOnSegment, ExactShareByHand) {
-  const NearestOnSegment got = nearest_on_segment(1, 2, 0, 0, 4, 0, 0, false);
+  const NearestOnSegment got = nearest_on_segment({1, 2}, {0, 0}, {4, 0}, 0, false);
   EXPECT_EQ(got.share, 0.25);
   EXPECT_EQ(got.distance2, 4);
   EXPECT_EQ(got.dx, 0);
@@ -154,7 +154,7 @@ TEST(NearestOnSegment, TornHasOnlyItsEnds) {
     const double y = uniform(-1.5, 1.5);
     const double to_a = std::hypot(x - s.ax, y - s.ay);
     const double to_b = std::hypot(x - s.bx, y - s.by);
-    const NearestOnSegment got = nearest_on_segment(x, y, s.ax, s.ay, s.bx, s.by, n % 2 == 0 ? 9 : 0, true);
+    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, n % 2 == 0 ? 9 : 0, true);
     EXPECT_EQ(got.share, to_a < to_b ? 0 : 1);
     EXPECT_NEAR(std::sqrt(got.distance2), std::min(to_a, to_b), 1e-14);
   }
@@ -163,7 +163,7 @@ TEST(NearestOnSegment, TornHasOnlyItsEnds) {
 TEST(NearestOnSegment, DegenerateSegmentIsItsPoint) {
   for (const int auxiliary : {0, 9}) {
     for (const bool torn : {false, true}) {
-      const NearestOnSegment got = nearest_on_segment(3, 4, 0, 0, 0, 0, auxiliary, torn);
+      const NearestOnSegment got = nearest_on_segment({3, 4}, {0, 0}, {0, 0}, auxiliary, torn);
       EXPECT_EQ(got.distance2, 25);
       EXPECT_EQ(got.share, 0);
     }

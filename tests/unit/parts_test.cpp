@@ -174,7 +174,7 @@ TEST(Nodes, HaveWeightOnlyIfTheLatticeHas) {
   scene.model.gravity = 9.81;
   scene.lattice = {linked_lattice(1, 1), linked_lattice(1, 1)};
   scene.lattice[1].gravity = true;
-  EXPECT_EQ(make_parts(scene).node.weight, (std::vector<double>{0, 9.81}));
+  EXPECT_EQ(make_parts(scene).node.gravity, (std::vector<double>{0, 9.81}));
 }
 
 TEST(Discs, HaveMassAndInertiaOfADisc) {

@@ -72,7 +72,8 @@ Pairs near_pairs(const Parts& parts, const Placement& now, ContactKind kind, dou
       }
     } else {
       for (int b = 0; b < others_of(parts, kind); ++b) {
-        if (flat_gap(parts, now, kind, a, b).gap < reach) near.push_back({a, b});
+        if (flat_gap(parts, {kind, a, b}, of_disc(kind) ? now.disc(a) : now.node(a), now.t).gap < reach)
+          near.push_back({a, b});
       }
     }
   }
@@ -85,7 +86,8 @@ Pairs near_segments(const Parts& parts, const Placement& now, double reach) {
   for (int a = 0; a < parts.disc.count(); ++a) {
     for (int s = 0; s < parts.border.count(); ++s) {
       const double within = parts.disc.radius[a] + reach;
-      if (segment_distance(parts, now, a, s, 0, false).distance2 < within * within) near.push_back({a, s});
+      const Vec2 i = now.node(parts.border.a[s]), j = now.node(parts.border.b[s]);
+      if (nearest_on_segment(now.disc(a), i, j, 0, false).distance2 < within * within) near.push_back({a, s});
     }
   }
   return near;
