@@ -7,43 +7,12 @@
 //   v_1' = v_1 - 2 (m*/m_1) v,  v_2' likewise
 //
 // Source: Hertz 1882; test 1 of Chung and Ooi 2011 (Granular Matter 13, 643): two spheres of radius 0.01 m, 10 m/s.
-#include "verification/impact.h"
+#include "verification/hertz_pair.h"
 
-namespace furrow::verification {
+namespace furrow::verification::hertz_pair {
 namespace {
 
 constexpr int steps = 200;  // in a contact time
-constexpr double angle_x = 0.8;
-constexpr double angle_y = 0.6;  // the line of centres leans
-
-struct Body {
-  Matter matter;
-  double radius;  // m
-  double speed;   // m/s, along the line of centres
-};
-
-struct Case {
-  Body a, b;
-  DiscMass reading;
-};
-
-double mass(const Body& body, DiscMass reading) { return mass_of(body.matter, body.radius, reading); }
-
-Hertz closed_form(const Case& c) {
-  const double m = 1 / (1 / mass(c.a, c.reading) + 1 / mass(c.b, c.reading));
-  const double r = 1 / (1 / c.a.radius + 1 / c.b.radius);
-  return {m, hertz_stiffness(softness(c.a.matter) + softness(c.b.matter), r), c.a.speed - c.b.speed};
-}
-
-// Body a touches body b from the lower left.
-Scene scene_of(const Case& c) {
-  Scene scene = impact_scene(c.reading);
-  const double touch = c.a.radius + c.b.radius;
-  add_disc(scene, c.a.matter, c.a.radius, {0, 0}, {angle_x * c.a.speed, angle_y * c.a.speed});
-  add_disc(scene, c.b.matter, c.b.radius, {angle_x * touch, angle_y * touch},
-           {angle_x * c.b.speed, angle_y * c.b.speed});
-  return scene;
-}
 
 void expect_elastic(const std::string& what, const Case& c) {
   const Hertz h = closed_form(c);
@@ -106,4 +75,4 @@ TEST(HertzPair, EqualAndOppositeMomentaStayOpposite) {
 }
 
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::hertz_pair

@@ -8,23 +8,16 @@
 //
 // Source: Hertz 1882; test 2 of Chung and Ooi 2011 (Granular Matter 13, 643): sphere of radius 0.1 m at 0.2 m/s.
 // For a rigid wall the second term of 1/E* vanishes; a wall of the sphere's material doubles it.
+#include "verification/hertz_wall.h"
+
 #include "run/observe.h"
-#include "verification/impact.h"
 
-namespace furrow::verification {
+namespace furrow::verification::hertz_wall {
 namespace {
-
-constexpr double radius = 0.1;  // m
-constexpr double speed = 0.2;   // m/s
-constexpr int steps = 200;      // in a contact time
 
 struct Published {
   double overlap, force, time;  // m, N, s
 };
-
-Hertz closed_form(const Matter& m, DiscMass reading, bool rigid) {
-  return {mass_of(m, radius, reading), hertz_stiffness((rigid ? 1 : 2) * softness(m), radius), speed};
-}
 
 void expect_published(const std::string& what, const Hertz& h, const Published& p) {
   expect(what + ": d_max of the table [m]", p.overlap, h.peak_overlap(), last_digit(1e-8));
@@ -34,19 +27,6 @@ void expect_published(const std::string& what, const Hertz& h, const Published& 
 
 void expect_elastic(const std::string& what, const Hertz& h, const Scene& scene) {
   expect_hertz(what, h, scene, h.mass, steps);
-}
-
-// int_0^1 du / sqrt(1 - u^(5/2)), u = 1 - w^2, by Simpson's rule.
-long double integral_of_contact() {
-  constexpr int n = 20000;
-  long double sum = 0;
-  for (int k = 0; k <= n; ++k) {
-    const long double w = static_cast<long double>(k) / n;
-    const long double rest = -std::expm1(2.5L * std::log1p(-w * w));
-    const long double value = k == 0 ? 2 / std::sqrt(2.5L) : 2 * w / std::sqrt(rest);
-    sum += value * (k == 0 || k == n ? 1 : k % 2 == 1 ? 4 : 2);
-  }
-  return sum / (3 * n);
 }
 
 TEST(HertzWall, ClosedFormAgreesWithQuadratureAndTheTable) {
@@ -113,4 +93,4 @@ TEST(HertzWall, GreatestOverlapConvergesWithTheOrderOfTheMethodButAtMostFiveHalv
 }
 
 }  // namespace
-}  // namespace furrow::verification
+}  // namespace furrow::verification::hertz_wall

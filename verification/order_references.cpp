@@ -9,32 +9,14 @@
 #include <cmath>
 #include <string>
 
-#include "run/system.h"
 #include "verification/check.h"
 #include "verification/damped_hertz.h"
+#include "verification/second_integration.h"
 #include "verification/studies/order_hertz.h"
 #include "verification/studies/order_problems.h"
 
 namespace furrow::verification {
 namespace {
-
-// By the classical Runge-Kutta method with 4000 steps. A first jump gives contacts their tangential springs.
-State integrated(OdeSystem& system, State y, double from, double duration) {
-  constexpr int steps = 4000;
-  State room = y;
-  if (auto* scene = dynamic_cast<System*>(&system)) scene->jump(0, room);
-  const double h = duration / steps;
-  State k[4] = {y, y, y, y};
-  for (int n = 0; n < steps; ++n) {
-    for (int stage = 0; stage < 4; ++stage) {
-      const double reach = stage == 0 ? 0 : stage == 3 ? h : h / 2;
-      for (std::size_t i = 0; i < y.size(); ++i) room[i] = y[i] + (stage == 0 ? 0 : reach * k[stage - 1][i]);
-      system.rhs(from + n * h + reach, room, k[stage]);
-    }
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] += h / 6 * (k[0][i] + 2 * (k[1][i] + k[2][i]) + k[3][i]);
-  }
-  return y;
-}
 
 // Between events, the solver's own right-hand side carries one exact state to another.
 struct Piece {

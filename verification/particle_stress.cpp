@@ -4,16 +4,11 @@
 //   von Mises in the plane: sqrt(sxx^2 - sxx syy + syy^2 + 3 sxy^2)
 //   pressed by F on two opposite sides:   sxx = -2 b F/V, nothing else;      von Mises 2 b F/V
 //   pressed by F on all four sides:       sxx = syy = -2 b F/V, sxy = 0;     von Mises 2 b F/V
-//   spinning between two walls, sliding:  syy = -2 b F/V, sxy = mu b F/V (the other half of 2 mu b F turns the disc)
-//   spinning between four walls:          sxy = 0: a pure torque has no symmetric part
-//   four springs of force T, pure shear:  sxy = 2 b T/V;                     von Mises sqrt((2 b F)^2 + 3 (2 b T)^2)/V
 //
 // Source: statics, by hand; the formula as in Rojek, Karlis, Malinowski and Beer 2013. F = 4/3 E* sqrt(R) d^(3/2) at an
 // overlap of d; b = R - d, or R with `moment_arm = "radius"`.
 #include <cmath>
-#include <vector>
 
-#include "kernel/kernel.h"
 #include "verification/boxed_disc.h"
 
 namespace furrow::verification::particle_stress {
@@ -68,48 +63,6 @@ TEST(ParticleStress, VolumeAndArmAreThoseOfTheReading) {
   Scene whole = boxed({left, right});
   whole.model.moment_arm = MomentArm::radius;
   expect_stress("whole radius as arm", stress_of(whole), -2 * radius * force / disc_volume, 0, 0);
-}
-
-// Sliding fast, so that every contact is at the Coulomb limit mu F.
-Stress sliding(const std::vector<Side>& sides, double spin, double speed) {
-  Scene scene = boxed(sides);
-  scene.contact.friction = friction;
-  scene.contact.damping_factor = 0.5;
-  scene.disc[0].spin = spin;
-  scene.disc[0].velocity.x = speed;
-  return stress_of(scene);
-}
-
-TEST(ParticleStress, FrictionAddsItsSymmetricShear) {
-  requirement("stress.friction");
-  const double pressure = 2 * arm * force / disc_volume;
-  expect_stress("spinning between two walls", sliding({below, above}, 1e4, 0), 0, -pressure, friction * pressure / 2);
-  expect_stress("spinning the other way", sliding({below, above}, -1e4, 0), 0, -pressure, -friction * pressure / 2);
-  expect_stress("sliding along two walls", sliding({below, above}, 0, 100), 0, -pressure, 0);
-  expect_stress("spinning between four walls", sliding({left, right, below, above}, 1e4, 0), -pressure, -pressure, 0);
-}
-
-// Tangential springs that are stretched by hand: they push left at the bottom, right at the top, up at the right and
-// down at the left.
-TEST(ParticleStress, PureShear) {
-  requirement("stress.friction");
-  Scene scene = boxed({left, right, below, above});
-  scene.contact.friction = friction;
-  System system(scene);
-  State y = system.initial_state();
-  system.jump(0, y);  // gives the contacts their springs
-  // G*: 1/G* = (2 - nu)/G = 2 (2 - nu)(1 + nu)/E for a rigid partner.
-  const double shear_modulus = soil.young / (2 * (2 - soil.poisson) * (1 + soil.poisson));
-  const double stiffness = 8 * shear_modulus * std::sqrt(radius * overlap);
-  const double stretch = 0.2 * friction * force / stiffness;  // m, far from the limit
-  const auto& walls = kernel_of(system.solver()).search().candidates[disc_wall];
-  for (int k = 0; k < walls.count(); ++k) {
-    const bool upright = walls.b[k] == left || walls.b[k] == right;
-    y[system.first_spring() + walls.slot[k]] = upright ? -stretch : stretch;
-  }
-  const double pressure = 2 * arm * force / disc_volume;
-  const double shear = 2 * arm * stiffness * stretch / disc_volume;
-  expect_stress("four springs", disc_stresses(system, 0, y)[0], -pressure, -pressure, shear);
 }
 
 }  // namespace

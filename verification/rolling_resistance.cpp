@@ -1,7 +1,6 @@
-// The rolling moment alone: a disc that spins in place, one that rolls on a plane or creeps on a slope, two that meet.
+// The rolling moment alone: a disc that spins in place, one that rolls on a plane or creeps on a slope.
 //
-//   M = -mu_r R_r N s(w),  s = w / sqrt(w^2 + w0^2),  w = omega_i - omega_j
-//   R_r = R on a wall, R_i R_j/(R_i + R_j) between two
+//   M = -mu_r R N s(omega),  s = omega / sqrt(omega^2 + w0^2)
 //   in place (mu = 0, nothing moves the centre):
 //     c R omega' = -mu_r g s
 //     f(omega) = sqrt(omega^2 + w0^2) - w0 asinh(w0 / omega) falls as f0 - mu_r g t / (c R)
@@ -9,8 +8,6 @@
 //     u' = -mu_r g (R/a) / (1 + c (R/a)^2);  a = R: mu_r g 2/3 (disc), 5/7 (sphere)
 //   on a slope below mu_r, no rest but w with s(w) = tan theta / mu_r:
 //     w = w0 tan theta / sqrt(mu_r^2 - tan^2 theta)
-//   head-on with spins, if w stays far above w0:
-//     I_i (omega_i' - omega_i) = -+ mu_r R_r m* (1 + e) v
 //
 // Sources: algebra; in place LAMMPS, granular tests, rolling_decay.
 #include <cmath>
@@ -84,31 +81,6 @@ TEST(RollingResistance, SmoothedMomentLetsItCreepOnASlope) {
              w0 * slope / std::sqrt(rolling * rolling - slope * slope),
              relative(1e-12, "round-off; what was to decay has, to e^-30"));
     }
-  }
-}
-
-TEST(RollingResistance, TwoThatMeetBrakeEachOther) {
-  requirement("tangential.rolling_pair");
-  // No friction, no damping: e = 1. The second one is larger, at rest but for its spin, and turns faster the same way.
-  constexpr double other = 0.03;   // m
-  constexpr double closing = 0.1;  // m/s
-  for (const RoundBody& body : {disc, sphere}) {
-    Scene scene = on_floor(body, 0, young, 0, 0, 0);
-    scene.wall.clear();
-    scene.model.gravity = 0;
-    scene.model.rolling_smoothing = 1e-5;
-    scene.contact.damping_factor = 0;
-    scene.disc = {{{0, 0}, radius, {closing, 0}, 30, "any"}, {{radius + other, 0}, other, {0, 0}, 40, "any"}};
-    const double mass2 = mass(body) * (body.reading == DiscMass::disc ? 9 : 27);
-    const double impulse = 2 * closing * mass(body) * mass2 / (mass(body) + mass2);
-    const double angular = rolling * radius * other / (radius + other) * impulse;  // N m s
-    const Ran ran = run_scene(scene, "rk4", 1e-6, 0.01);
-    expect("first spin [rad/s], " + body.name, ran.y[ran.system.spin_of(0)],
-           30 + angular / (body.c * mass(body) * radius * radius),
-           relative(3e-10, "truncation of order 5/2: 1.4e-10 measured, doubled"));
-    expect("second spin [rad/s], " + body.name, ran.y[ran.system.spin_of(1)],
-           40 - angular / (body.c * mass2 * other * other),
-           relative(3e-10, "truncation of order 5/2: 1.4e-10 measured, doubled"));
   }
 }
 
