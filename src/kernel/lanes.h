@@ -2,9 +2,9 @@
 // compilers do not find by themselves. All are inlined into functions compiled for one instruction set each
 // (kernel/wide.h), where N doubles fill a register.
 //
-// They use the vector extensions of GCC and Clang. Highway, tried on the same loops over pairs with AVX2, takes the same
-// time and gives the same bits, but would be one more library; std::experimental::simd takes 15 % longer, because it has
-// no shuffles to turn rows into lanes, and its width belongs to the whole file, not to a function.
+// They use the vector extensions of GCC and Clang. Highway, tried on the same loops over pairs with AVX2, takes the
+// same time and gives the same bits, but would be one more library; std::experimental::simd takes 15 % longer, because
+// it has no shuffles to turn rows into lanes, and its width belongs to the whole file, not to a function.
 #pragma once
 
 #include <cmath>

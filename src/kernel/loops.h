@@ -43,7 +43,8 @@ struct DiscRates {
 void interleave(const double* x, const double* y, const double* vx, const double* vy, DiscRow*, std::size_t first,
                 std::size_t last);
 
-// Geometry and kinematics of the batch's pairs of discs, or of its discs and their walls, to the end of its last vector.
+// Geometry and kinematics of the batch's pairs of discs, or of its discs and their walls, to the end of its last
+// vector.
 void locate_pairs(TouchBatch&, const DiscMotion&);
 void locate_walls(TouchBatch&, const DiscMotion&, const WallPart*);
 

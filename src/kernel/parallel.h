@@ -9,8 +9,8 @@
 
 namespace furrow {
 
-// Calls work(argument, piece, thread) for each piece in [0, pieces), on this many threads. A thread gets the same pieces
-// in every call, so that their data may still be in its cache. work must not throw.
+// Calls work(argument, piece, thread) for each piece in [0, pieces), on this many threads. A thread gets the same
+// pieces in every call, so that their data may still be in its cache. work must not throw.
 void distribute(int threads, int pieces, void (*work)(void*, int piece, int thread), void* argument);
 
 // Calls work(piece, thread) for each piece; one thread takes them in order.

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double skin_of_radius = 0.15;  // times a small radius; measured: flat between 0.1 and 0.2
 // The radius of rank sqrt(n) among n, from the smallest. The sqrt(n) smaller discs may be as small as they like: a skin
-// that is wide for them adds less than n / 2 pairs among them, and a skin made for them would make all lists short-lived.
+// that is wide for them adds less than n / 2 pairs among them, and a skin made for them would make all lists
+// short-lived.
 double small_radius(std::vector<double> radius) {
   if (radius.empty()) return 1;
   const auto rank = static_cast<std::ptrdiff_t>(std::sqrt(static_cast<double>(radius.size() - 1)));

@@ -7,12 +7,12 @@ namespace furrow {
 namespace {
 
 // The fraction of its distance checks that a class must save to be split. Sizes spread evenly over a factor of 4 stay
-// together: a second grid would cost as much. One large disc among many is a class of its own if its radius is more than
-// 1.12 times theirs.
+// together: a second grid would cost as much. One large disc among many is a class of its own if its radius is more
+// than 1.12 times theirs.
 constexpr double worth_splitting = 0.2;
 
-// The cells of a class are as large as its greatest disc, so n discs need about n * greatest^2 distance checks. Where to
-// cut [first, last), ascending, to save the most checks; `last` if no cut saves enough.
+// The cells of a class are as large as its greatest disc, so n discs need about n * greatest^2 distance checks. Where
+// to cut [first, last), ascending, to save the most checks; `last` if no cut saves enough.
 std::size_t best_cut(const std::vector<double>& radius, std::size_t first, std::size_t last) {
   std::size_t best = last;
   double most = worth_splitting;

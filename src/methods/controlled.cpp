@@ -20,7 +20,7 @@ double power_3_8(double x) { return power_1_8(x) * std::sqrt(std::sqrt(x)); }
 
 double ControlledMethod::scaled_error(const OdeSystem& system, const State& y, double h) const {
   double all = 0;
-  for (const double v : next_) all += v - v;  // not zero if any number is not finite, the ledger's included
+  for (const double v : next_) all += v - v;  // NaN if any number is not finite, the ledger's included
   if (all != 0) return infinity;
   double greatest = 0;
   for (std::size_t i = 0; i < system.controlled(); ++i) {
@@ -56,7 +56,7 @@ double ControlledMethod::step(const OdeSystem& system, double t, State& y, doubl
     try {
       attempt(system, t, y, trial);
       error = scaled_error(system, y, trial);
-    } catch (const Divergence&) {  // the attempt left what can be computed; a shorter one may not
+    } catch (const Divergence&) {  // the attempt failed; a shorter one may succeed
     }
     if (error <= 1) {
       choose(trial, error, cut);

@@ -1,5 +1,5 @@
-// Error control and choice of step for methods whose error of one step is of third order, as the rest of furrow's own
-// methods of order 2 have it.
+// Error control and choice of step for methods whose error of one step is of third order, as furrow's own methods of
+// order 2.
 //
 //   error     e = max over the controlled numbers of |e_i| / (absolute + relative (|y_i| + h |y'_i|)),  good up to 1
 //   accepted  h_(n+1) = h_n (s / e_n)^(1/8) (s / e_(n-1))^(1/8) (h_n / h_(n-1))^(-3/8)
@@ -37,7 +37,7 @@ class ControlledMethod : public Method {
   virtual void prepare(const OdeSystem& system, double t, const State& y) = 0;
   // Fills next_ and error_ by a step of h, and now_, if prepare did not.
   virtual void attempt(const OdeSystem& system, double t, const State& y, double h) = 0;
-  // The attempt was good, and next_ is the state now.
+  // The attempt was accepted: next_ is now the state.
   virtual void accept(double h) = 0;
 
   State now_;    // f at (t, y)

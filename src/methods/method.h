@@ -21,7 +21,7 @@ struct MethodInfo {
   bool controlled = false;
   std::string family = "own";
   bool conservative = false;    // only for systems without forces that depend on velocity
-  bool dense_jacobian = false;  // takes one by differences: as many evaluations more as the state has numbers
+  bool dense_jacobian = false;  // by differences: one more evaluation for each number of the state
 };
 
 // Why the method cannot integrate the system, and what to do; empty if it can.
@@ -43,10 +43,10 @@ class Method {
   // Throws Divergence if no step could be made; y is then as before.
   virtual double step(const OdeSystem& system, double t, State& y, double h) = 0;
 
-  // The right-hand side has jumped: what the method remembers of it is of no use.
+  // The right-hand side has jumped: the method must forget its history.
   virtual void restart() {}
 
-  // Only the state was touched: a sliding contact's tangential spring returned to its limit. The forces are as before,
+  // Only the state has changed: a sliding contact's tangential spring returned to its limit. The forces are the same,
   // the rates of the springs and of the ledger are not.
   virtual void state_changed() {}
 
@@ -58,7 +58,7 @@ class Method {
   }
   void know_nothing() { known_at_ = NAN; }
 
-  // Where the last step started from, if the method has kept it: then y did not change until the step had succeeded.
+  // The state that the last step started from, if the method keeps it: then y changes only when a step succeeds.
   virtual const State* start() const { return nullptr; }
 
   // All that is carried from one step to the next.
@@ -94,7 +94,7 @@ class Method {
   long rejections_ = 0;
 
  private:
-  // The method's own part of its history. What each step fills before it reads it is no part of it.
+  // The method's own part of its history, without what each step overwrites before it is read.
   virtual void remember(HistoryVisitor& /*visit*/) {}
 
   State known_;
@@ -107,13 +107,13 @@ struct MethodEntry {
 };
 
 // All methods, own ones first: those of each file of this folder, and what has been registered from outside.
-// What it refers to stays where it is, also when a method is registered.
+// References into it stay valid, also when a method is registered.
 const std::deque<MethodInfo>& method_catalogue();
 
 // Throws std::invalid_argument that names the nearest one if there is no such method.
 std::unique_ptr<Method> make_method(const std::string& name, const Tolerances& tolerances = {});
 
-// A method from outside, to be used like any other from then on; before other threads ask for methods. Throws
+// Registers a method from outside; must be called before other threads ask for methods. Throws
 // std::invalid_argument if its name is taken.
 void register_method(const MethodEntry& entry);
 

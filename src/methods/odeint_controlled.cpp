@@ -14,9 +14,9 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-// The greatest error, of the numbers that count: the energy ledger follows the motion, it must not steer it. A NaN is
-// an infinite error; odeint's own norm passes over it. The count travels beside the steppers, which make their algebra
-// themselves: one for each thread, set before each try.
+// The greatest error of the controlled numbers: the energy ledger follows the motion and must not steer it. A NaN is an
+// infinite error; odeint's own norm ignores it. The steppers construct their algebra themselves, so the count cannot be
+// passed to it: it is one variable for each thread, set before each try.
 struct LeadingNorm : odeint::range_algebra {
   static double norm_inf(const State& errors) {
     double greatest = 0;
@@ -50,7 +50,7 @@ FURROW_REVEAL(BulirschStoer, std::size_t, m_current_k_opt, Order);
 
 namespace {
 
-// Of a stepper that has made a step: what it chooses its order by.
+// The numbers by which a stepper that has made a step chooses its order.
 void remember_order(BulirschStoer& stepper, HistoryVisitor& visit) {
   visit("last rejected", reveal(stepper, Rejected{}));
   visit("first", reveal(stepper, First{}));
@@ -83,7 +83,7 @@ class Controlled final : public ControlledOdeint {
     visit("fresh", fresh_);
     visit("rates", now_);
     if constexpr (extrapolates) {
-      stepper_.adjust_size(now_);  // by itself it would begin again
+      stepper_.adjust_size(now_);  // without this it would begin again
       if (!now_.empty()) remember_order(stepper_, visit);
     } else {
       stepper_ = made();
@@ -98,7 +98,7 @@ class Controlled final : public ControlledOdeint {
   }
 
   void begin(const OdeSystem& system, double t, const State& y) override {
-    if (y.size() != now_.size()) stepper_ = made();  // its rooms never grow
+    if (y.size() != now_.size()) stepper_ = made();  // its buffers never grow
     for (State* room : {&now_, &next_, &next_now_}) room->resize(y.size());
     if (!fresh_) evaluate_start(system, t, y, now_);
     fresh_ = true;

@@ -43,7 +43,7 @@ constexpr int most_iterations = 12;
 constexpr int steps_between_estimates = 25;
 constexpr double margin = 1.2;                // of the estimated spectral radius
 constexpr double relative_difference = 1e-7;  // of the power iteration's displacement to the state,
-constexpr double least_norm = 1e-6;           // unless the state is nothing
+constexpr double least_norm = 1e-6;           // if the state is zero
 
 // T_j, T'_j and T''_j at w0, one after the other.
 struct Chebyshev {
@@ -165,7 +165,7 @@ class RungeKuttaChebyshev final : public ControlledMethod {
     for (int k = 0; k < most_iterations; ++k) {
       std::fill(vector_.begin() + static_cast<std::ptrdiff_t>(counted), vector_.end(), 0.0);
       double size = norm(vector_);
-      if (size == 0) {  // nothing moves, or a direction that f does not see
+      if (size == 0) {  // nothing moves, or f does not depend on this direction
         std::fill_n(vector_.begin(), system.lasting(), 1.0);
         size = norm(vector_);
       }

@@ -66,7 +66,7 @@ void carry(Method& method, State& y, std::vector<double> numbers) {
   method.history(visitor);
 }
 
-// A step as a matrix on all that it leads from one to the next: on a linear system it is linear.
+// A step as a matrix that acts on all that is carried from one step to the next: linear, for the system is.
 Eigen::MatrixXd step_matrix(const std::string& name, const OdeSystem& system, double h) {
   constexpr int opening_steps = 8;  // the longest history is of five
   const auto method = make_method(name);
@@ -93,8 +93,8 @@ bool grows(const std::string& name, double zeta, double h) {
   return !(eigenvalues(name, UnitOscillator(zeta), h).cwiseAbs().maxCoeff() <= std::exp(growth_seen));
 }
 
-// In units of 1/omega. Steps lengthen until one grows: a region of stability need not begin at zero, and what lies
-// beyond its first end does not count.
+// In units of 1/omega. Steps are lengthened until the solution grows. A region of stability need not begin at zero, and
+// stable steps beyond its first end do not count.
 double first_growing_step(const std::string& name, double zeta) {
   constexpr double stride = 1.15, most = 10;  // above the limit of every explicit method here
   double stable = 0;

@@ -26,10 +26,10 @@ inline double fastest_rate(const Oscillator& o) {
   return o.omega * (o.zeta > 1 ? o.zeta + std::sqrt(o.zeta * o.zeta - 1) : 1);
 }
 
-// -, of a solution in a step: less does not show in a run of ten thousand steps.
+// -, growth of a solution in a step: less is not visible in a run of ten thousand steps.
 inline constexpr double growth_seen = 1e-5;
 
-// s: the step from which the method's solution grows, coming from zero, whatever a longer step does; infinity for a
+// s: the shortest step at which the method's solution grows, even if it does not at a longer one; infinity for a
 // controlled method, which chooses its own, for an implicit one that grows at no step, and for an oscillator that does
 // not move; 0 if it grows at the shortest step tried, a thousandth of 1/omega (damped: of the time of the fastest
 // decay). Within 0.1 %; a growth of less than growth_seen a step is not counted (Adams-Bashforth 2 on an undamped

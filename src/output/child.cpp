@@ -23,7 +23,7 @@ namespace {
 constexpr int could_not_start = 127;
 constexpr timespec between_looks{0, 5'000'000};  // s, ns
 
-// A file in memory, so that nothing remains and nobody waits for a reader.
+// A file in memory: nothing is left over, and no writer waits for a reader.
 class MemoryFile {
  public:
   MemoryFile() : descriptor_(memfd_create("furrow", MFD_CLOEXEC)) {

@@ -1,6 +1,6 @@
 // A directory that belongs to one run, or one report: a marker in it, .furrow.json, says of what kind it is, who made
 // it and which files are its own. Whoever takes the directory again removes these files and no others. Directories in
-// it that have a marker of their own are none of its business.
+// it that have a marker of their own are left alone.
 #pragma once
 
 #include <filesystem>

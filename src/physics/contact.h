@@ -106,7 +106,7 @@ struct TouchForce {
   f.normal = push > law.floor ? push : law.floor;
 }
 
-// N, on the tangential force.
+// N: the greatest tangential force.
 [[gnu::always_inline]] inline double coulomb_limit(const ContactLaw& law, const TouchForce& f) {
   return law.friction * (f.normal > 0 ? f.normal : 0);
 }
@@ -141,16 +141,16 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
   return f;
 }
 
-// W: at which rate one contact takes mechanical energy away, by cause; but for `stiffening`, which gives. The
-// tangential spring holds 1/2 St xi^2, and St goes with sqrt(d):
+// W: the rates at which one contact dissipates mechanical energy, by cause; `stiffening` is supplied instead. The
+// tangential spring stores 1/2 St xi^2, and St grows with sqrt(d):
 //
 //   d/dt (1/2 St xi^2) = St xi vt + 1/4 xi^2 St d'/d
 //
-// The second term, `stiffening`, is paid for by no force: a property of Mindlin's law without rescaling.
+// No force supplies the second term, `stiffening`: a property of Mindlin's law without rescaling.
 struct TouchPowers {
   double viscous;     // by the normal damper
   double sticking;    // by the tangential damper, while the contact sticks
-  double sliding;     // by friction while it slides, less what the growing spring stores: a jump books the rest
+  double sliding;     // by friction while it slides, less what the growing spring stores; the rest comes with a jump
   double rolling;     // by rolling friction
   double stiffening;  // given to the tangential spring
 };
@@ -164,7 +164,7 @@ struct TouchPowers {
           c.overlap > 0 ? rate : 0};  // two discs exactly at touch have none
 }
 
-// Their sums.
+// Their sums over contacts.
 struct ContactPowers {
   double viscous = 0, friction = 0, rolling = 0, stiffening = 0;  // W
 
@@ -184,7 +184,7 @@ struct ContactPowers {
   }
 };
 
-// What the normal spring holds: the integral of Fe from 0 to d.
+// J, stored in the normal spring: the integral of Fe from 0 to d.
 inline double elastic_energy(double elastic, double overlap) { return 0.4 * elastic * overlap; }
 
 }  // namespace furrow

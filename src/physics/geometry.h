@@ -1,5 +1,5 @@
-// Nearest points and signed distances. The unit vector (nx, ny) points from the disc or node to the other part; inside a
-// rectangle it points away from the nearest way out.
+// Nearest points and signed distances. The unit vector (nx, ny) points from the disc or node to the other part; inside
+// a rectangle it points away from the nearest way out.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +44,8 @@ struct NearestOnSegment {
   double share;      // 0 at a, 1 at b
 };
 
-// The nearest to p among the end nodes a, b and `auxiliary` equally spaced points between them; auxiliary = 0: the exact
-// nearest point of the segment. A torn segment has only its ends left.
+// The nearest to p among the end nodes a, b and `auxiliary` equally spaced points between them; auxiliary = 0: the
+// exact nearest point of the segment. A torn segment has only its ends left.
 inline NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b, int auxiliary, bool torn) {
   const Vec2 u = b - a;
   const double length2 = dot(u, u);

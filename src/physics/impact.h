@@ -8,7 +8,7 @@
 
 namespace furrow {
 
-// J: what it takes to press two to this overlap. Two that meet with more kinetic energy, m* v^2/2, go deeper.
+// J: the work that presses two bodies to this overlap. Bodies that meet with more energy, m* v^2/2, go deeper.
 inline double elastic_energy(const ContactLaw& law, double reduced_radius, double overlap) {
   return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
 }

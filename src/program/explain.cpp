@@ -1,4 +1,4 @@
-// What of a scene is modelled, what is left out, and what follows from its numbers.
+// What is modelled in a scene, what is left out, and what follows from its numbers.
 #include <algorithm>
 #include <array>
 #include <cmath>

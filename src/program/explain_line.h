@@ -1,4 +1,4 @@
-// One line of furrow explain: a name, and what is to be said of it.
+// One line of furrow explain: a name and a text.
 #pragma once
 
 #include <cstdarg>

@@ -5,13 +5,13 @@
 
 namespace furrow {
 
-// What discs feel of the borders of lattices, and what they do not.
+// How discs feel the borders of lattices.
 void print_borders(const Scene& scene, const Parts& parts);
 
 // Spins that nothing changes.
 void print_spins(const Scene& scene);
 
-// From what speed on one passes through the other.
+// The speed from which one part passes through another.
 void print_passing(const Parts& parts);
 
 // What the scene allows itself.

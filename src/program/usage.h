@@ -1,4 +1,4 @@
-// What is wrong with a command line, in one line of our words.
+// What is wrong with a command line, in one line.
 #pragma once
 
 #include <CLI/CLI.hpp>

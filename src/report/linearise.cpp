@@ -36,8 +36,8 @@ double width(const System& system, int place) {
   return place < system.first_spring() ? width_of_spins : width_of_springs;
 }
 
-// Of the difference between two rates, over that of the numbers that they were taken at. Parts on one spot have no
-// rates, and far from the origin a difference so narrow is lost in round-off: a solver would crash on what came of it.
+// Difference of two rates over the difference of the numbers they belong to. Parts at one place have no rates, and far
+// from the origin so small a difference is lost in round-off: the eigenvalue solver would crash on the result.
 double slope(double difference, double across, int place) {
   const double of = difference / across;
   if (std::isfinite(of)) return of;

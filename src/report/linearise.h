@@ -1,4 +1,4 @@
-// A scene linearised where it stands:  e' = J e  for a small change e of the numbers that act on the motion.
+// A scene linearised about a state:  e' = J e  for a small change e of the numbers that affect the motion.
 #pragma once
 
 #include <Eigen/Sparse>
@@ -28,8 +28,8 @@ Eigen::VectorXcd spectrum(const Linearised& linearised, Eigen::Index dense = 300
 // The eigenvector whose eigenvalue is nearest to `value`, by inverse iteration.
 Eigen::VectorXcd eigenvector(const Linearised& linearised, std::complex<double> value);
 
-// Which contact or link does most in a motion: viscous power and elastic power, |dF . dv|, summed over normal, shear
-// and rolling. Empty if nothing acts.
+// Which contact or link has the largest part in a motion: viscous power and elastic power, |dF . dv|, summed over
+// normal, shear and rolling. Empty if nothing acts.
 struct Driver {
   std::string name;
   double share = 0;  // of the power of all contacts and links

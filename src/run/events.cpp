@@ -130,7 +130,7 @@ double EventSteps::step(double t, State& y, double end, double h, JumpReport& re
       throw Divergence("events come in nearly every step, " + std::to_string(memory_.events) + " in " +
                        std::to_string(memory_.steps) + " steps: to locate them is for scenes with few; run it without");
   }
-  if (found > 0 && !controlled) method_.restart();  // the rest of a step is too short to look back on
+  if (found > 0 && !controlled) method_.restart();  // after so short a step the history is useless
   return t;
 }
 
@@ -161,7 +161,7 @@ double EventSteps::back_to_tear(double t, const State& before, double reached, S
   return t + torn * h;
 }
 
-// The end of the next step: of the usual one, or shorter after a touch. A rest of less than half a step is not left.
+// The end of the next step: the usual one, or a shorter one after a touch; it never leaves less than half a step.
 double EventSteps::next_time(double t, double end, double h) {
   double length = end - t;
   std::erase_if(memory_.grades, [&](const Grade& g) {
@@ -214,7 +214,7 @@ double EventSteps::approach(double t, State& y, double bound, JumpReport& report
     ++memory_.events;
     return t;
   }
-  return t;  // the trial step saw what is not there
+  return t;  // the trial step saw an event that does not happen
 }
 
 // How far off the regime changes, by halving, on  q + v s + a s^2/2,  v + a s  from here; `within` if it does not.

@@ -1,7 +1,7 @@
 // Steps that end at events: a link exceeds its strength; a contact begins or ends, its normal force is or is no longer
 // held at zero, it starts or stops to slide. Inside a step such an event costs a method its order: at most alpha + 1 is
-// left where the force after it grows like (t - t_event)^alpha. Here it is stepped on, and what the method remembers
-// is dropped. No force changes at a tear before the jump: it is found on Hermite's cubic through both ends of the step,
+// left where the force after it grows like (t - t_event)^alpha. Here a step ends at it, and the method's history is
+// dropped. No force changes at a tear before the jump: it is found on Hermite's cubic through both ends of the step,
 // of order 4, for two evaluations (Hairer, Norsett and Wanner, Solving ODEs I, II.6). The others are approached by
 // shorter and shorter steps. After a touch, where the force is a fractional power of the time, steps are graded,
 //
@@ -24,8 +24,8 @@
 
 namespace furrow {
 
-// The discrete side of a state: what pushes and how, which links are over their strength. A contact whose normal force
-// is held at zero does not push.
+// The discrete part of a motion: which contacts push and whether they slide, which links exceed their strength. A
+// contact whose normal force is held at zero does not push.
 struct Regime {
   enum Phase { sticks, slides_forward, slides_backward };
   struct Pushing {
@@ -48,7 +48,7 @@ struct EventMemory {
   bool started = false;
   Regime now;                                   // of the accepted state
   std::vector<Grade> grades;                    // of the last touches
-  long events = 0, evaluations = 0, steps = 0;  // evaluations of f beside those of the method
+  long events = 0, evaluations = 0, steps = 0;  // evaluations of f besides those of the method
   void history(HistoryVisitor& visit);
 };
 

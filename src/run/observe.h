@@ -1,4 +1,4 @@
-// What is read off a state. Nothing here feeds back into the run.
+// What observers compute from a state. Nothing here affects the run.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct Force {
   double x = 0, y = 0;  // N
 };
 
-// J. Stored energies are of the moment; the others have been handed over since t = 0.
+// J. Stored energies are those of the moment; the others are sums since t = 0.
 struct Energies {
   double kinetic = 0, gravity = 0, load = 0, springs = 0, contact_elastic = 0;
   double link_damping = 0, contact_viscous = 0, friction = 0, rolling = 0, tear = 0;
@@ -37,7 +37,7 @@ struct Momentum {
 struct Overlap {
   double depth = 0;     // m
   double relative = 0;  // of the disc's radius, or of the node's contact radius
-  std::string between;  // which two; empty if nothing touches
+  std::string between;  // the two parts; empty if nothing touches
 };
 
 struct Observation {

@@ -23,8 +23,8 @@ struct Settled {
   std::vector<std::string> warnings;
 };
 
-// What is watched while a scene settles: a bed is judged as it comes to lie, from the start of the run on. On the way
-// there discs with little damping fall through one another for a while, and that ends nothing.
+// What is watched while a scene settles. A bed is judged from the start of the run on: while it settles, discs with
+// little damping may pass through each other without ending anything.
 Scene watched_while_settling(Scene scene, const std::string& method, double step) {
   scene.time.method = method;
   scene.time.step = step;

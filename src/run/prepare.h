@@ -27,8 +27,8 @@ struct Prepared {
 using SettleProgress = std::function<bool(double t, double speed)>;
 Prepared prepare(const Scene& scene, const SettleProgress& progress = {});
 
-// The same once more, without settling: from the scene and the surface that it had. y and the discrete state are those
-// of the scene before it has settled; whoever goes on with a run has later ones.
+// The same again without settling, from the scene and the surface found before. y and the discrete state are those from
+// before the settling; a run that is resumed has later ones.
 Prepared prepared_before(const Scene& scene, std::optional<double> surface);
 
 // The parts alone, to count and examine them: nothing has settled, plates at a working depth stand anywhere.

@@ -18,8 +18,8 @@
 namespace furrow {
 namespace {
 
-// Whole numbers for the verdicts: they may be taken in any order, thus several at once. The exponent of what is not
-// finite is all ones: one more carries into the sign.
+// Integers for the verdicts: they may be combined in any order, so the loop is vectorised. The exponent bits of a
+// number that is not finite are all ones: adding one carries into the sign.
 FURROW_WIDE bool all_finite_lanes(const double* y, std::size_t n) {
   constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
   std::uint64_t carried = 0;
@@ -82,7 +82,7 @@ class Watch {
   }
 
  private:
-  // While plates and bodies move by less than a quarter of a plate's smaller side in a step, it meets all it comes to.
+  // If plates and bodies move by less than a quarter of a plate's smaller side in a step, no plate skips a body.
   std::string stepped_over(const Step& step, int& body) const {
     const Parts& parts = system_.parts();
     if (parts.plate.empty() || (plate_speed_ * step.h <= quarter_.front() && all_moved_less(step, quarter_))) return {};
@@ -113,7 +113,7 @@ class Watch {
   double plate_speed_ = 0;       // m/s, of the fastest
 };
 
-// A controlled method that takes ever shorter steps would never come to the end, and never say so.
+// A controlled method that takes ever shorter steps would never reach the end.
 class Pace {
  public:
   Pace(const RunPlan& plan, RunPoint& at) : end_(plan.end), at_(at) {}
@@ -136,7 +136,7 @@ class Pace {
   RunPoint& at_;
 };
 
-// What a run that has blown up was driven by, as far as the last good state shows it.
+// What drove a run that has blown up, as far as the last good state shows.
 std::string driven_by(const System& system, double t, const State& y, int body, const std::string& method) {
   const StiffPart bond = stiffest_bond(system, t, y, body);
   if (bond.name.empty()) return {};

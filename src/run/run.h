@@ -19,13 +19,13 @@ struct RunEnd {
   std::string reason;  // of a divergence or invalidity: what, where, and what to do
   double time = 0;     // s, of the last good state
   long steps = 0;
-  long events = 0;             // located and stepped on
+  long events = 0;             // located, with a step that ends there
   long event_evaluations = 0;  // of the right-hand side, for that, beside the method's
   bool cut = false;            // stopped inside of a step: y is where it began, the method's history is of no use
 };
 
-// Where a run stands between two steps, beside the state, the discrete state and the method's history: with these three
-// it goes on, by the same bits.
+// Where a run stands between two steps. With the state, the discrete state and the method's history it continues the
+// run, to the same bits.
 struct RunPoint {
   bool begun = false;  // the jump at the start is done, and reported
   double time = 0;     // s
@@ -43,8 +43,8 @@ struct RunPlan {
   Locate locate = Locate::none;
   RunPoint* point = nullptr;  // where to go on, kept up to date; none: at the start
 
-  // Called before the first step that has the run's end in sight. From there a longer run would go other ways: on a
-  // fixed step's grid, past a controlled method's last stop.
+  // Called before the first step that depends on the end of the run: from there a run with a later end takes other
+  // steps.
   std::function<void()> before_end{};
   Validity* validity = nullptr;         // watches each accepted state, and may end the run
   bool stops_when_interrupted = false;  // else an interrupt is thrown, see interrupt.h

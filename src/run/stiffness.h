@@ -1,4 +1,4 @@
-// How stiff a scene is where it stands, seen from its parts.
+// How stiff a scene is in its present state, estimated part by part.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct StiffPart {
 // The disc or node with the fastest motion by contacts and links, each alone among held neighbours: the greatest
 // eigenvalues of its mass-weighted stiffness and damping (2 x 2 for a node; 3 x 3, with the spin, for a disc), contacts
 // taken as sticking and rolling as at rest. Neighbours that move against it can make it up to twice as stiff, never
-// more (Gershgorin). A name is empty if nothing acts on anything.
+// more (Gershgorin). The name is empty if no force acts.
 StiffPart stiffest_part(const System& system, double t, const State& y);
 
 // The stiffest contact or link on one body, or of all if that has none or is negative, each alone between its two
@@ -32,7 +32,7 @@ StiffPart stiffest_bond(const System& system, double t, const State& y, int body
 // omega = sqrt(15/8) v / d at the greatest overlap d; the damping ratio is the same at any overlap.
 Oscillator stiffest_impact(const Parts& parts, double speed);
 
-// What a user should know before he trusts a run with this method and step, one text each; empty if there is nothing.
+// Warnings about a run with this method and step, one text each.
 std::vector<std::string> step_warnings(const System& system, double t, const State& y, const std::string& method,
                                        double step);
 

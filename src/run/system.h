@@ -54,7 +54,7 @@ class System : public OdeSystem {
   // Throws std::invalid_argument if it is not one of this scene's.
   void restore(const DiscreteState& discrete) { solver_->restore(discrete); }
 
-  // Makes the room in a state of before a jump that the jump made in its own.
+  // Makes the room that a jump made in its state also in a state from before the jump.
   void fit(State& y) const;
 
   // While a scene is prepared its plates stand still and its links do not tear.

@@ -1,4 +1,4 @@
-// Whether a run keeps to what its laws and its method can answer for: watched at every accepted step.
+// Whether a run stays where its laws and its method are valid: watched at every accepted step.
 //
 //   watch            measured                                                     warns above   ends the run above
 //   energy_made      residual of the ledger, of all that the scene was given          0.01            0.1
@@ -12,12 +12,12 @@
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -
 //                    speed that there is
 //
-// Overlap: at 0.1 a contact is 0.3 radii wide, which Hertz's half-space is not; at 1 a centre reaches the other's
-// surface. Energy: a ledger closes to the error of the method; a tenth of all energy made is a run about something
-// else. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends. Energy is
-// looked at where rows are written and every 200 steps, since what was made stays in the residual; the step when
-// contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by the
-// fastest that there was; all else at each step.
+// Overlap: at 0.1 a contact is 0.3 radii wide, too wide for Hertz's half-space; at 1 a centre reaches the other's
+// surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
+// means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
+// Energy is looked at where rows are written and every 200 steps, since what was made stays in the residual; the step
+// when contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by
+// the fastest that there was; all else at each step.
 #pragma once
 
 #include <array>
@@ -55,7 +55,7 @@ struct Watched {
   double worst = 0;
   double time = 0;  // s, of the worst
   std::string where;
-  long times = 0;  // looks at which it was above what warns
+  long times = 0;  // checks at which it was above the warning limit
   Verdict verdict() const;
   void history(HistoryVisitor& visit);
 };
@@ -83,10 +83,10 @@ class Validity {
   // After each accepted step, or the start (h = 0), and its jump.
   void see(const Step& step, const JumpReport& report);
 
-  // Looks at the energy; `seen` is of the state at t.
+  // Checks the energy; `seen` is of the state at t.
   void book(double t, const Observation& seen);
 
-  // When nothing more comes: what was put off is judged.
+  // At the end of the run: judges what was postponed.
   void conclude();
 
   void history(HistoryVisitor& visit);

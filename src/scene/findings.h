@@ -11,13 +11,13 @@
 
 namespace furrow {
 
-// Paths of what could not be read. What depends on one of them is not judged: it would be judged by a default.
+// Paths of keys that could not be read. Nothing that depends on them is judged, for it would be judged by a default.
 class Unread {
  public:
   void add(const std::string& path) { paths_.insert(path); }
   bool empty() const { return paths_.empty(); }
 
-  // Whether the path, something in it, or what holds it was not read. The scene itself has the path "".
+  // Whether the path, a part of it, or the table that holds it was not read. The scene itself has the path "".
   bool touches(std::string path) const {
     const auto begins = [&](const std::string& with) {
       const auto next = paths_.lower_bound(with);
@@ -54,7 +54,7 @@ class Findings {
     add({path, message, others, true});
   }
 
-  // The values of these paths are wrong: nothing else is said of them.
+  // The values of these paths are wrong: nothing else is reported about them.
   void refuse(const std::string& path, const std::string& message, const std::vector<std::string>& others = {}) {
     error(path, message, others);
     unread_.add(path);
@@ -78,9 +78,9 @@ class Findings {
   std::vector<Finding> list_;
 };
 
-// Each of these looks at one side of a scene.
+// Each of these judges one aspect of a scene.
 void judge_ranges(const Scene& scene, Findings& found);   // every number within the range of its key, every text clean
-void judge_whole(const Scene& scene, Findings& found);    // keys that contradict each other, names that nothing has
+void judge_whole(const Scene& scene, Findings& found);    // keys that contradict each other, names of nothing
 void judge_sizes(const Scene& scene, Findings& found);    // counts and bytes within their limits
 void judge_numbers(const Scene& scene, Findings& found);  // what is derived from the numbers is finite and positive
 void judge_start(const Scene& scene, Findings& found);    // where the parts stand at t = 0

@@ -1,6 +1,6 @@
-// Points sorted into square cells, by counting. There are never many more cells than points: where the points lie far
-// from each other the cells are folded like a map, so that cells whose distance is a whole number of folds are one. So
-// a point that flew far off costs no more than any other. The room is kept from one time to the next.
+// Points sorted into square cells, by counting. There are never many more cells than points: if the points are far
+// from each other, the grid is periodic, and cells a whole number of periods apart share their storage. So a point far
+// from all others costs no more than any other. Memory is kept from one sort to the next.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct Extent {
   double from, to;  // m
 };
 
-// The cells along one axis. Their numbers do not fall as the coordinate grows, so that no point is lost by rounding.
+// The cells along one axis. Cell numbers never decrease as the coordinate grows, so that rounding loses no point.
 class Axis {
  public:
   struct Cells {
@@ -25,8 +25,8 @@ class Axis {
     long count() const { return std::max<long>(0, last - first + 1); }
   };
 
-  // The cells of [from, to] one by one; folded: as many as `count`, from the origin on, for there the numbers are
-  // exact.
+  // of: the cells of [from, to]. folded: `count` cells, repeated periodically; they start at the origin, where their
+  // numbers are exact.
   static Axis of(Extent r, double cell) {
     return {r.from, cell, static_cast<std::int64_t>((r.to - r.from) / cell) + 1};
   }
@@ -47,7 +47,7 @@ class Axis {
     return {std::max<std::int64_t>(0, cells.first), std::min(count_ - 1, cells.last), false};
   }
 
-  // Of the cells with this number, widened by more than the rounding of `cell_of`; false where that is not small.
+  // The extent of the cells with this number, widened by more than `cell_of` rounds; false if that is not small.
   bool extent(std::int64_t number, Extent& r) const {
     const auto n = static_cast<double>(number);  // rounded towards 0
     const double slack = 1e-3 * cell_ + 1e-15 * std::fabs(start_);
@@ -69,8 +69,8 @@ class Axis {
 
 class Grid {
  public:
-  // x, y: m, finite at the points named, of which there is at least one; they must stay until the last question. cell:
-  // m, the size of a cell.
+  // x, y: m, finite at `points`, of which there is at least one; they must outlive all queries. cell: m, the side of a
+  // cell.
   void sort(const double* x, const double* y, const std::vector<int>& points, double cell) {
     lay_out(x, y, points, cell);
     const auto cells = static_cast<std::size_t>(columns_.count()) * static_cast<std::size_t>(rows_.count());
@@ -84,7 +84,8 @@ class Grid {
     for (std::size_t k = 0; k < points.size(); ++k) point_[next_[cell_[k]]++] = points[k];
   }
 
-  // Calls visit(point) once for every point of the box, and for others near it. Returns the number of rows looked into.
+  // Calls visit(point) once for every point of the box, and for some others near it. Returns the number of rows
+  // visited.
   template <class Visit>
   long in_box(Extent x, Extent y, Visit&& visit) const {
     const Axis::Cells rows = rows_.overlapping(y);
@@ -94,7 +95,7 @@ class Grid {
     return rows.count();
   }
 
-  // The same with a range along x that differs from row to row: along(y) names it for points at these y.
+  // The same with a range along x that differs from row to row: along(y) is the range for points at these y.
   template <class Along, class Visit>
   long in_rows(Extent y, Along&& along, Visit&& visit) const {
     const Axis::Cells rows = rows_.overlapping(y);
@@ -107,8 +108,8 @@ class Grid {
   }
 
  private:
-  // As many cells as the extent needs, but no more than four a point: else folded, to numbers without a common divisor,
-  // or points on a diagonal would meet again too soon.
+  // As many cells as the extent needs, but at most four a point: else folded. The numbers of columns and rows then have
+  // no common divisor, so that points on a diagonal do not soon share a cell.
   void lay_out(const double* x, const double* y, const std::vector<int>& points, double cell) {
     Extent across{infinity, -infinity}, up{infinity, -infinity};
     for (const int i : points) {
@@ -124,7 +125,7 @@ class Grid {
     const bool low = fits || rows <= side;
     columns_ = narrow ? Axis::of(across, cell) : Axis::folded(cell, low ? most / rows : side);
     rows_ = low ? Axis::of(up, cell) : Axis::folded(cell, narrow ? most / columns : side + 1);
-    first_.reserve(static_cast<std::size_t>(most + side) + 2);  // so that no later layout needs more
+    first_.reserve(static_cast<std::size_t>(most + side) + 2);  // enough for all later layouts
   }
 
   template <class Visit>

@@ -1,5 +1,5 @@
-// A request to stop, as by a signal: noted by whoever hears it, seen wherever work takes long. Whoever embeds furrow
-// and notes nothing is never stopped.
+// A request to stop, such as a signal: set by a handler, checked wherever work takes long. A program that embeds furrow
+// and never sets it is never stopped.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ class Interrupted : public std::runtime_error {
 
 // May be set and read in a signal handler.
 struct InterruptRequest {
-  std::atomic<int> signal = 0;          // its number; 0: nobody asked
+  std::atomic<int> signal = 0;          // its number; 0: none
   std::atomic<bool> is_urgent = false;  // some time has gone by since
 };
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
@@ -26,12 +26,12 @@ inline bool interrupt_requested() { return interrupt_request.signal.load(std::me
 // "interrupted by SIGTERM"
 std::string interrupt_words();
 
-// Between steps, tasks, attempts: where everything is as it should be.
+// For use between steps, tasks or attempts, where all data are consistent.
 inline void throw_if_interrupted() {
   if (interrupt_requested()) throw Interrupted(interrupt_words());
 }
 
-// Inside of what is better finished, such as a step, but may take long.
+// For use inside work that is better finished, such as a step, but may take long.
 inline void throw_if_interrupt_is_urgent() {
   if (interrupt_request.is_urgent.load(std::memory_order_relaxed)) throw Interrupted(interrupt_words());
 }

@@ -1,4 +1,4 @@
-// One contact that touches, from its geometry to its forces, as a solver hands it to whoever looks.
+// One contact that touches, from its geometry to its forces, as a solver passes it to observers.
 //
 // The tangent is t = (-ny, nx). Body a gets the force -Fn n + Ft t, body b the opposite, shared by the two nodes of a
 // border segment as 1 - share and share.
@@ -12,8 +12,8 @@
 //   node-plate    contact_radius   ma                                0                   to the nearest face
 //
 // n is a unit vector from a to b; of a centre inside a plate the inward normal of the nearest face, of one on the far
-// side of a border the direction to the contact point. Fixed nodes have an infinite mass. With `moment_arm = "radius"` an
-// arm is the whole radius.
+// side of a border the direction to the contact point. Fixed nodes have an infinite mass. With `moment_arm = "radius"`
+// an arm is the whole radius.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ inline double stored_energy(const Contact& c) {
          0.5 * c.force.shear_stiffness * c.touch.spring * c.touch.spring;
 }
 
-// "disc 3 and wall 0", "disc 3 and lattice stem": which two the contact is of; empty if it is none.
+// "disc 3 and wall 0", "disc 3 and lattice stem": the two parts in contact; empty for no contact.
 std::string contact_name(const Parts& parts, const ContactId& contact);
 
 }  // namespace furrow

@@ -1,10 +1,10 @@
-// What of a scene changes beside the flat state: which links are torn, which contact holds which tangential spring.
+// What changes in a scene besides the flat state: which links are torn, which contact holds which tangential spring.
 //
 // The life of a tangential spring. A contact gets a slot, a place for its spring in the state, with xi = 0, at the
 // first jump that finds its gap below Parts::margin, as a rule before it touches; a faster pair has no spring until the
 // next jump. run() jumps at its start too. While the two touch, xi' = vt; while they do not, xi' = 0. After each
 // accepted step a jump returns |xi| to mu Fn / St, and sets xi of an open contact to zero. So a contact that opens and
-// closes within one step keeps its spring; whoever wants it otherwise locates events (run/events.h). It is one spring
+// closes within one step keeps its spring, unless events are located (run/events.h). It is one spring
 // for a disc and a plate or lattice, whichever face or segment is the nearest: xi goes on along the new tangent. A
 // multistep method keeps its history when a spring is returned, so its next step may still carry the old slip. A
 // contact that has been further away than the margin for more than `quiet_jumps` jumps gives its slot back: longer than
@@ -23,7 +23,7 @@ namespace furrow {
 
 inline constexpr std::uint32_t quiet_jumps = 8;
 
-// With a state, the method's history and a time a run goes on from this in another system of the same scene.
+// Together with a state, the method's history and a time it continues a run in another system of the same scene.
 struct DiscreteState {
   struct Held {
     int kind, a, b, slot;
@@ -44,7 +44,7 @@ DiscreteState initial_discrete_state(const Layout& layout);
 bool is_torn(const DiscreteState& discrete, int link);
 int slot_of(const DiscreteState& discrete, const ContactId& contact);  // -1: none
 
-// Whether every slot is held once or unused, every pair is one that there can be, links ascend.
+// Whether every slot is held once or unused, every pair is possible, and links ascend.
 bool belongs_to(const DiscreteState& discrete, const Parts& parts);
 
 struct Tear {
@@ -59,9 +59,9 @@ struct Survey;
 struct JumpReport {
   std::vector<Tear> torn;
   bool springs_changed = false;
-  Growth grown;                    // of the state, for contacts that found no room in it
-  const Survey* survey = nullptr;  // of the state as it is handed on, before links tear; if it was asked for
-  State* rates = nullptr;  // at the state that is handed on, if they are known: a buffer of the solver, to be swapped
+  Growth grown;                    // of the state, for new contacts
+  const Survey* survey = nullptr;  // of the state after the jump but before links tear; if it was asked for
+  State* rates = nullptr;          // of the state after the jump, if known: a buffer of the solver, to be swapped
   bool flow_jumped() const { return !torn.empty(); }
 };
 

@@ -1,5 +1,5 @@
-// What is carried from one step to the next, named number by number, in one place for each thing that carries some.
-// A visitor writes it down, reads it back, or makes room in it; whoever is visited does not know which.
+// What is carried from one step to the next. Each class that carries something lists it in one function, item by item;
+// a visitor saves it, restores it, or makes room in it.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ class HistoryVisitor {
   HistoryVisitor() = default;
 };
 
-// Numbers that came into a state: so many zeros, so far before its end.
+// Numbers inserted into a state: `count` zeros, `before_end` places before its end.
 struct Growth {
   std::size_t count = 0, before_end = 0;
   void apply(State& y) const { y.insert(y.end() - static_cast<State::difference_type>(before_end), count, 0.0); }

@@ -20,8 +20,8 @@ inline constexpr int ledger_entries = 7;
 
 struct Layout {
   int bodies = 0;        // discs and free nodes
-  int first_spring = 0;  // also: how many numbers are there all the time
-  int spring_count = 0;  // slots; a jump makes more where they do not suffice
+  int first_spring = 0;  // also the count of numbers that are always there
+  int spring_count = 0;  // slots; a jump adds more if they do not suffice
   int dummy_slots = 0;
   bool keeps_ledger = false;
 

@@ -26,11 +26,11 @@ class OdeSystem {
   // How many of the leading numbers count in the error control of a controlled method.
   virtual std::size_t controlled() const { return size(); }
 
-  // How many of those are there all the time; what comes and goes with contacts is after them. What a method chooses by
-  // a count or a sum over ones goes by these alone: how much room there is for contacts must not matter.
+  // How many of those are always there; the numbers of contacts come after them. Whatever a method decides by counts or
+  // sums must depend on these alone, so that the room reserved for contacts does not matter.
   virtual std::size_t lasting() const { return controlled(); }
 
-  // On how many threads it evaluates itself, and a method may pass over its states.
+  // The number of threads that an evaluation uses, and that a method may use for passes over its states.
   virtual int threads() const { return 1; }
 
   // Which forces depend on velocity, for a message; empty: none.

@@ -1,6 +1,6 @@
-// The two functions that everything hangs on, of a scene with a discrete state: the flow between events, and the jump
-// that is applied once after each accepted step. There are two solvers, and they give the same bits: the reference,
-// which is to be read, and the kernel, which is to be fast.
+// A scene with a discrete state as two functions: the flow between events, and the jump that is applied once after each
+// accepted step. There are two solvers, and they give the same bits: the reference, written to be read, and the kernel,
+// written to be fast.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// What a jump sees of the contacts of the state that it leaves: all that a watch over every step needs of them, in the
-// pass over the contacts that the jump makes anyway.
+// What the watch over a run needs to know of the contacts at every step, collected in the pass over them that a jump
+// makes anyway.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace furrow {
 
-// Of the contacts of one chunk, or of all.
+// Of the contacts of one block, or of all.
 struct ContactExtremes {
   double contacts = 0;   // how many touch
   double overlap = 0;    // -, greatest, of the smaller radius; of a node of its contact radius
-  double impact = 0;     // -, greatest energy of a contact, of what would carry the one through the other
+  double impact = 0;     // -, greatest energy of a contact, over the energy that carries one part through the other
   int behind_walls = 0;  // discs whose centres are behind a wall
   ContactId deepest{};   // only if deeper than Survey::known_overlap
   ContactId hardest{};   // of `impact`
@@ -21,7 +21,7 @@ struct ContactExtremes {
 };
 
 struct Survey {
-  // Set by whoever watches: below these nothing need be looked at one by one.
+  // Set by the watch: contacts below these need not be examined one by one.
   double known_overlap = 0;  // -
   double fast = infinity;    // m/s, an approach
   double reach = 0;          // m, from a centre to a border of a lattice
@@ -40,8 +40,9 @@ struct Survey {
   void see_impact(const Parts& parts, const Contact& contact, ContactExtremes& sum) const;
 };
 
-// J: what carries disc or node `a` through `b`, or infinity: the work of the elastic force up to where the centres of
-// two discs pass, or a centre the middle of a plate or the border of a lattice. No one passes through a wall.
+// J: the energy that carries disc or node `a` through `b`, or infinity: the work of the elastic force up to where the
+// centres of two discs pass, or a centre the middle of a plate or the border of a lattice. No one passes through a
+// wall.
 double passing_work(const Parts& parts, const ContactId& contact, const ContactLaw& law, double reduced_radius);
 
 // m/s: no contact of these parts whose two approach more slowly has the energy to pass.

@@ -80,7 +80,8 @@ TEST(ActionAndReaction, RollingMomentsOfTwoDiscsAreOpposite) {
   EXPECT_NE(torque_on(system, rates(system, 0, y), 0), torque_on(system, rates(system, 0, still), 0));
 }
 
-// `moment_arm = "radius"`: both discs turned by R Ft, as the literature's closed forms have it; moments then do not balance.
+// `moment_arm = "radius"`: both discs turned by R Ft, as the literature's closed forms have it; moments then do not
+// balance.
 TEST(MomentArm, OfTheWholeRadiusTurnsByRadiusTimesForce) {
   Scene scene = empty_scene();
   scene.model.moment_arm = MomentArm::radius;
