@@ -93,6 +93,15 @@ class Kernel final : public Solver {
   void fill_discs(TouchBatch& c, const State& y, int first, int last) const;
   template <class Slots>
   void fill_walls(int first, int last, const State& y, Slots& slots) const;
+  // The part that a disc or node may touch: the gap to it, and its velocity there.
+  struct Facing {
+    Gap gap;
+    double vx, vy;  // m/s
+  };
+  Facing facing_lattice(const Placement& now, int candidate, int n) const;
+  Facing facing_wall_or_plate(const Placement& now, double t, const ContactId& pair) const;
+  template <ContactKind kind>
+  void put_flat(int candidate, const Facing& other, const State& y, int n) const;
   template <ContactKind kind, class Slots>
   void fill_flat_of(int first, int last, double t, const State& y, Slots& slots) const;
   template <class Slots>

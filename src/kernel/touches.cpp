@@ -161,8 +161,53 @@ NearestOnSegment Kernel::nearest_border(const Placement& now, int candidate, int
   return best;
 }
 
-// Contacts of a disc or node with a part that does not spin: wall, plate, lattice. That part's radius, arm and spin
-// stay 0 in the batch.
+// The share of the nodes and the reduced mass go into the batch.
+Kernel::Facing Kernel::facing_lattice(const Placement& now, int candidate, int n) const {
+  TouchBatch& c = flat_batch_;
+  const int a = search_.candidates[disc_lattice].a[candidate];
+  const NearestOnSegment near = nearest_border(now, candidate, c.segment[n]);
+  const int i = parts_->border.a[c.segment[n]];
+  const int j = parts_->border.b[c.segment[n]];
+  const double near_i = 1 - near.share;
+  const double near_j = near.share;
+  const double inverse_i = parts_->node.body[i] < 0 ? 0 : near_i * near_i / parts_->node.mass[i];
+  const double inverse_j = parts_->node.body[j] < 0 ? 0 : near_j * near_j / parts_->node.mass[j];
+  c.reduced_mass[n] = 1 / (inverse_mass_[a] + inverse_i + inverse_j);
+  c.share[n] = near.share;
+  return {border_gap(near, parts_->disc.radius[a]), near_i * nodes_.vx[i] + near_j * nodes_.vx[j],
+          near_i * nodes_.vy[i] + near_j * nodes_.vy[j]};
+}
+
+Kernel::Facing Kernel::facing_wall_or_plate(const Placement& now, double t, const ContactId& pair) const {
+  const Gap gap = flat_gap(*parts_, pair, of_disc(pair.kind) ? now.disc(pair.a) : now.node(pair.a), now.t);
+  if (!of_plate(pair.kind)) return {gap, 0, 0};
+  const PlateAt at = plate_at(parts_->plate[pair.b], t, preparing_);
+  return {gap, at.vx, at.vy};
+}
+
+// Contact n of the batch: a disc or node with a part that does not spin. That part's radius, arm and spin stay 0.
+template <ContactKind kind>
+void Kernel::put_flat(int candidate, const Facing& other, const State& y, int n) const {
+  constexpr bool disc = of_disc(kind);
+  const Candidates& list = search_.candidates[kind];
+  const int a = list.a[candidate];
+  TouchBatch& c = flat_batch_;
+  c.own_a[n] = a;
+  c.own_b[n] = list.b[candidate];
+  c.own_slot[n] = list.slot[candidate];
+  c.law[n] = list.law[candidate];
+  c.reduced_radius[n] = list.reduced_radius[candidate];
+  if (kind != disc_lattice) c.reduced_mass[n] = list.reduced_mass[candidate];
+  c.nx[n] = other.gap.nx;
+  c.ny[n] = other.gap.ny;
+  c.overlap[n] = -other.gap.gap;
+  c.vx[n] = (disc ? y[layout_.vx_of(a)] : nodes_.vx[a]) - other.vx;
+  c.vy[n] = (disc ? y[layout_.vy_of(a)] : nodes_.vy[a]) - other.vy;
+  c.spin_a[n] = disc && parts_->friction ? y[layout_.spin_of(a)] : 0;
+  c.radius_a[n] = disc ? parts_->disc.radius[a] : 0;
+  c.arm_a[n] = disc ? c.radius_a[n] - parts_->arm_shortening * c.overlap[n] : 0;  // a node has no arm
+}
+
 template <ContactKind kind, class Slots>
 void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& slots) const {
   Candidates& list = search_.candidates[kind];
@@ -170,59 +215,17 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& 
   TouchBatch& c = flat_batch_;
   c.kind = kind;
   c.use_own();
+  c.count = 0;
   const Placement now = placement(t, y);
-  const bool disc = of_disc(kind);
-  const double arm_shortening = disc ? parts_->arm_shortening : 0;  // a node has no arm
-  int n = 0;
   for (int k = first; k < last; ++k) {
-    const int a = list.a[k];
-    const int b = list.b[k];
-    double other_vx = 0;
-    double other_vy = 0;
-    Gap gap{};
-    if (kind == disc_lattice) {
-      const NearestOnSegment near = nearest_border(now, k, c.segment[n]);
-      gap = border_gap(near, parts_->disc.radius[a]);
-      const int i = parts_->border.a[c.segment[n]];
-      const int j = parts_->border.b[c.segment[n]];
-      const double near_i = 1 - near.share;
-      const double near_j = near.share;
-      other_vx = near_i * nodes_.vx[i] + near_j * nodes_.vx[j];
-      other_vy = near_i * nodes_.vy[i] + near_j * nodes_.vy[j];
-      const double inverse_i = parts_->node.body[i] < 0 ? 0 : near_i * near_i / parts_->node.mass[i];
-      const double inverse_j = parts_->node.body[j] < 0 ? 0 : near_j * near_j / parts_->node.mass[j];
-      c.reduced_mass[n] = 1 / (inverse_mass_[a] + inverse_i + inverse_j);
-      c.share[n] = near.share;
-    } else {
-      gap = flat_gap(*parts_, {kind, a, b}, disc ? now.disc(a) : now.node(a), now.t);
-      if (kind == disc_plate || kind == node_plate) {
-        const PlateAt at = plate_at(parts_->plate[b], t, preparing_);
-        other_vx = at.vx;
-        other_vy = at.vy;
-      }
-    }
-    if constexpr (Slots::jumping) slots.update(list, k, gap.gap < search_.margin);
-    if (!(gap.gap < 0)) {
-      if constexpr (Slots::jumping) slots.relax(list.slot[k]);
-      continue;
-    }
-    c.own_a[n] = a;
-    c.own_b[n] = b;
-    c.own_slot[n] = list.slot[k];
-    c.law[n] = list.law[k];
-    c.reduced_radius[n] = list.reduced_radius[k];
-    if (kind != disc_lattice) c.reduced_mass[n] = list.reduced_mass[k];
-    c.nx[n] = gap.nx;
-    c.ny[n] = gap.ny;
-    c.overlap[n] = -gap.gap;
-    c.vx[n] = (disc ? y[layout_.vx_of(a)] : nodes_.vx[a]) - other_vx;
-    c.vy[n] = (disc ? y[layout_.vy_of(a)] : nodes_.vy[a]) - other_vy;
-    c.spin_a[n] = disc && parts_->friction ? y[layout_.spin_of(a)] : 0;
-    c.radius_a[n] = disc ? parts_->disc.radius[a] : 0;
-    c.arm_a[n] = c.radius_a[n] - arm_shortening * c.overlap[n];
-    ++n;
+    const Facing other = kind == disc_lattice ? facing_lattice(now, k, c.count)
+                                              : facing_wall_or_plate(now, t, {kind, list.a[k], list.b[k]});
+    if constexpr (Slots::jumping) slots.update(list, k, other.gap.gap < search_.margin);
+    if (other.gap.gap < 0)
+      put_flat<kind>(k, other, y, c.count++);
+    else if constexpr (Slots::jumping)
+      slots.relax(list.slot[k]);
   }
-  c.count = n;
 }
 
 template <class Slots>

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "kernel/search.h"
+#include "kernel/wide.h"
 #include "physics/contact.h"
 
 namespace furrow {
@@ -41,6 +42,8 @@ struct TouchBatch {
   alignas(64) Lanes<double> elastic{}, normal{}, tangential{}, moment{};
   alignas(64) Lanes<double> stiffness{}, shear_stiffness{}, shear_viscosity{};
   alignas(64) Lanes<double> fx{}, fy{}, torque_a{}, torque_b{};
+
+  FURROW_WIDE int whole_lanes() const { return (count + lanes - 1) & -lanes; }  // of all vectors
 
   // Repeats the last pair in the lanes after it, so that these name discs that exist.
   void fill_last_lanes();

@@ -52,7 +52,7 @@ class Slots {
     return slot;
   }
 
-  // One more, behind all others.
+  // One more, after all others.
   void grow() {
     const Growth one{1, static_cast<std::size_t>(layout_.size() - layout_.first_dummy())};
     one.apply(y_);

@@ -29,9 +29,9 @@ inline constexpr int contact_kinds = 6;
 inline constexpr std::array<const char*, contact_kinds> contact_kind_names{"disc-disc",    "disc-wall", "disc-plate",
                                                                            "disc-lattice", "node-wall", "node-plate"};
 
-inline bool of_disc(ContactKind kind) { return kind <= disc_lattice; }
-inline bool of_wall(ContactKind kind) { return kind == disc_wall || kind == node_wall; }
-inline bool of_plate(ContactKind kind) { return kind == disc_plate || kind == node_plate; }
+constexpr bool of_disc(ContactKind kind) { return kind <= disc_lattice; }
+constexpr bool of_wall(ContactKind kind) { return kind == disc_wall || kind == node_wall; }
+constexpr bool of_plate(ContactKind kind) { return kind == disc_plate || kind == node_plate; }
 
 struct ContactId {
   ContactKind kind = disc_disc;

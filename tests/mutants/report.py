@@ -9,7 +9,7 @@ ROOMS = {  # what src/ is divided into; the first ones get most of the draws
     "preparation and scene": ["src/run/prepare.", "src/scene/"],
     "run and events": ["src/run/", "src/system/survey."],
     "methods": ["src/methods/"],
-    "kernel": [f"src/kernel/{name}." for name in ("loops", "lanes", "rates", "jump", "touches", "kernel", "survey")],
+    "kernel": [f"src/kernel/{name}." for name in ("loops", "law_loops", "lanes", "rates", "jump", "touches", "kernel", "survey")],
     "search": ["src/kernel/", "src/scene/grid."],
     "reference": ["src/reference/"],
     "geometry and parts": ["src/physics/geometry.", "src/system/parts."],
