@@ -11,7 +11,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 
 #include "benchmarks/measuring/samples.h"
 #include "benchmarks/rivals/rivals.h"
@@ -27,6 +26,7 @@ using furrow::benchmarks::Bed;
 using furrow::benchmarks::Interval;
 using furrow::benchmarks::Rival;
 using furrow::benchmarks::rounded;
+using furrow::benchmarks::rows_of;
 using furrow::benchmarks::Task;
 using Json = nlohmann::ordered_json;
 
@@ -34,24 +34,6 @@ constexpr double plate_speed = 0.1;                      // m/s
 constexpr long rest_steps = 5'000, push_steps = 30'000;  // the mean is over the last 28,000 of the latter
 constexpr long first_pushed = 2'000;
 constexpr int perturbed_runs = 8;
-
-// Rows of so many numbers, separated by spaces or commas; others are headings.
-std::vector<std::vector<double>> rows_of(const fs::path& file, std::size_t columns) {
-  std::ifstream stream(file);
-  std::vector<std::vector<double>> rows;
-  for (std::string line; std::getline(stream, line);) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream words(line);
-    std::vector<double> row;
-    for (std::string word; words >> word;) {
-      char* end = nullptr;
-      const double value = std::strtod(word.c_str(), &end);
-      if (*end == '\0') row.push_back(value);
-    }
-    if (row.size() == columns) rows.push_back(row);
-  }
-  return rows;
-}
 
 struct Seen {
   double height = 0, push = 0;  // m, N

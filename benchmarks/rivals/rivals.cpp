@@ -1,7 +1,11 @@
 #include "benchmarks/rivals/rivals.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "output/files.h"
@@ -186,6 +190,23 @@ std::vector<Rival> rivals() {
       {"LIGGGHTS, hertz", "liggghts", "the same law; I = 2/5 m R^2", all, 1, liggghts},
       {"YADE, Hertz-Mindlin", "yade", "the same law; R* = R/2 on walls and plate", 9'000, 1, yade},
   };
+}
+
+std::vector<std::vector<double>> rows_of(const std::filesystem::path& file, std::size_t columns) {
+  std::ifstream stream(file);
+  std::vector<std::vector<double>> rows;
+  for (std::string line; std::getline(stream, line);) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream words(line);
+    std::vector<double> row;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      const double value = std::strtod(word.c_str(), &end);
+      if (*end == '\0') row.push_back(value);
+    }
+    if (row.size() == columns) rows.push_back(row);
+  }
+  return rows;
 }
 
 }  // namespace furrow::benchmarks

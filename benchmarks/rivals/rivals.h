@@ -39,4 +39,7 @@ struct Rival {
 
 std::vector<Rival> rivals();
 
+// Rows of so many numbers, separated by spaces or commas; others are headings.
+std::vector<std::vector<double>> rows_of(const std::filesystem::path& file, std::size_t columns);
+
 }  // namespace furrow::benchmarks

@@ -108,18 +108,6 @@ double sum_of(const Energies& e) {
 
 }  // namespace
 
-const char* to_string(Verdict verdict) {
-  constexpr std::array names{"not watched", "kept", "allowed", "warned", "broken"};
-  return names[static_cast<std::size_t>(verdict)];
-}
-
-Verdict Watched::verdict() const {
-  if (!watched) return Verdict::not_watched;
-  if (worst <= warns_above) return Verdict::kept;
-  if (allowed && worst <= *allowed) return Verdict::allowed;
-  return worst > std::max(ends_above, allowed.value_or(0)) ? Verdict::broken : Verdict::warned;
-}
-
 struct Validity::Stiffest {
   StiffPart part{{0, 0}, {}};
   double time = 0;         // s
@@ -149,25 +137,6 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
   for (const PlatePart& p : parts.plate) plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
   for (const double mass : parts.disc.mass) lightest_ = std::min(lightest_, mass);
   for (const double mass : parts.node.mass) lightest_ = std::min(lightest_, mass);
-}
-
-void Watched::history(HistoryVisitor& visit) {
-  visit("worst", worst);
-  visit("time", time);
-  visit("where", where);
-  visit("times", times);
-}
-
-void RunExtremes::history(HistoryVisitor& visit) {
-  visit.list("plates", plate, [&](PlateForce& p) {
-    visit("force", p.force);
-    visit("fx", p.fx);
-    visit("fy", p.fy);
-    visit("time", p.time);
-  });
-  visit("speed", speed);
-  visit("speed time", speed_time);
-  visit("fastest", fastest);
 }
 
 void Validity::history(HistoryVisitor& visit) {

@@ -22,6 +22,11 @@ struct Box {
   bool meets(const Box& b) const { return left <= b.right && b.left <= right && lower <= b.upper && b.lower <= upper; }
 };
 
+inline bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
 class StandingLattice {
  public:
   explicit StandingLattice(const Lattice& l) : lattice_(l) {
@@ -41,7 +46,6 @@ class StandingLattice {
            static_cast<std::size_t>(column);
   }
   const std::vector<Vec2>& nodes() const { return node_; }
-  const std::vector<Vec2>& border() const { return border_; }
   const Box& box() const { return box_; }
   bool encloses() const { return lattice_.rows > 1 && lattice_.columns > 1; }
 
@@ -59,6 +63,26 @@ class StandingLattice {
     }
     s.inside = s.inside && encloses();
     return s;
+  }
+
+  // Whether its border crosses the segment from c to d.
+  bool crosses(Vec2 c, Vec2 d) const {
+    for (std::size_t k = 0; k < segments(); ++k)
+      if (segments_cross(border_[k], border_[(k + 1) % border_.size()], c, d)) return true;
+    return false;
+  }
+
+  // Whether the two have places in common; of borders with very many pairs of nodes that is taken for granted.
+  bool crosses(const StandingLattice& other) const {
+    constexpr double most_pairs = 1e7;
+    if (static_cast<double>(border_.size()) * static_cast<double>(other.border_.size()) > most_pairs) return true;
+    const auto reaches_into = [](const StandingLattice& one, const StandingLattice& another) {
+      return std::any_of(one.border_.begin(), one.border_.end(), [&](Vec2 p) { return another.of(p).inside; });
+    };
+    if (reaches_into(*this, other) || reaches_into(other, *this)) return true;
+    for (std::size_t k = 0; k < other.segments(); ++k)
+      if (crosses(other.border_[k], other.border_[(k + 1) % other.border_.size()])) return true;
+    return false;
   }
 
   std::size_t segments() const { return encloses() ? border_.size() : std::max<std::size_t>(1, border_.size() - 1); }

@@ -27,7 +27,6 @@ namespace {
 constexpr double touch = 1e-9;      // of a size: rounding of places that are meant to touch
 constexpr double node_depth = 0.1;  // of the contact radius
 constexpr int most_reported = 5;    // faults of one kind
-constexpr double most_pairs = 1e7;  // of border nodes of two lattices
 
 std::string metres(double length) { return rounded(length, 3) + " m"; }
 
@@ -155,7 +154,7 @@ class StartJudge {
       for (int column = 0; column < l.columns; ++column) judge_node(k, row, column);
     if (!l.node.empty()) judge_places(k);
     for (std::size_t j = 0; j < k; ++j)
-      if (here.box().meets(lattice_[j]->box()) && cross(here, *lattice_[j]))
+      if (here.box().meets(lattice_[j]->box()) && here.crosses(*lattice_[j]))
         found_.warning(item("lattice", k), "crosses " + item("lattice", j) + ": lattices do not feel each other");
   }
 
@@ -201,25 +200,6 @@ class StartJudge {
           if (distance > 0 && distance < touch * l.spacing)
             fault(one_place, item("lattice", k), "two of its nodes are only " + metres(distance) + " apart");
         }
-  }
-
-  static bool cross(const StandingLattice& a, const StandingLattice& b) {
-    if (static_cast<double>(a.border().size()) * static_cast<double>(b.border().size()) > most_pairs) return true;
-    const auto reaches_into = [](const StandingLattice& one, const StandingLattice& other) {
-      return std::any_of(one.border().begin(), one.border().end(), [&](Vec2 p) { return other.of(p).inside; });
-    };
-    if (reaches_into(a, b) || reaches_into(b, a)) return true;
-    for (std::size_t i = 0; i < a.segments(); ++i)
-      for (std::size_t j = 0; j < b.segments(); ++j)
-        if (segments_cross(a.border()[i], a.border()[(i + 1) % a.border().size()], b.border()[j],
-                           b.border()[(j + 1) % b.border().size()]))
-          return true;
-    return false;
-  }
-
-  static bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-    const auto side = [](Vec2 p, Vec2 q, Vec2 r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); };
-    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
   }
 
   std::array<Vec2, 4> corners(std::size_t k) const {
@@ -273,10 +253,8 @@ class StartJudge {
     for (const Vec2& p : corner) box.add(p);
     if (!box.meets(l.box())) return false;
     if (std::any_of(corner.begin(), corner.end(), [&](Vec2 p) { return l.of(p).inside; })) return true;
-    for (std::size_t i = 0; i < l.segments(); ++i)
-      for (std::size_t c = 0; c < 4; ++c)
-        if (segments_cross(l.border()[i], l.border()[(i + 1) % l.border().size()], corner[c], corner[(c + 1) % 4]))
-          return true;
+    for (std::size_t c = 0; c < 4; ++c)
+      if (l.crosses(corner[c], corner[(c + 1) % 4])) return true;
     return false;
   }
 

@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
-#include "kernel/kernel.h"
+#include "ledger_law.h"
 #include "run/observe.h"
 #include "scenes.h"
 
@@ -13,23 +12,7 @@ namespace furrow {
 namespace {
 
 using namespace test;
-
-constexpr double modulus = 1e6 / 1.875, shear_modulus = 4e5 / 3.5;  // Pa, E* and G* of the material with itself
-constexpr double radius = 0.1, overlap = 0.002;                     // m
-constexpr double mass = 1000 * std::numbers::pi * radius * radius;  // kg
-constexpr double round_off = 1e-9;  // relative: the overlap is a small difference of larger numbers
-
-// The law for one contact of a disc with its partner, with damping 0.1.
-struct Law {
-  explicit Law(double reduced_radius, double reduced_mass) {
-    elastic = 4.0 / 3 * modulus * std::sqrt(reduced_radius) * std::pow(overlap, 1.5);
-    const double normal_stiffness = 2 * modulus * std::sqrt(reduced_radius * overlap);
-    stiffness = 8 * shear_modulus * std::sqrt(reduced_radius * overlap);
-    viscosity = 2 * std::sqrt(5.0 / 6) * 0.1 * std::sqrt(normal_stiffness * reduced_mass);
-    shear_viscosity = 2 * std::sqrt(5.0 / 6) * 0.1 * std::sqrt(stiffness * reduced_mass);
-  }
-  double elastic, stiffness, viscosity, shear_viscosity;  // N, N/m, N s/m
-};
+using namespace test::ledger;
 
 enum class Partner { wall, plate, disc };
 
@@ -197,92 +180,6 @@ TEST(Ledger, DiscsExactlyAtTouchThatSpinAndPassHaveNoForceAndNoPower) {
     EXPECT_EQ(dydt[system.spin_of(i)], 0);
   }
   EXPECT_EQ(observe(system, 0, y).energy.contact_elastic, 0);
-}
-
-// 3,000 pairs of discs in a row of pairs: more discs than one block holds, and each pair with its own speed.
-class ManyPairs : public testing::Test {
- protected:
-  static constexpr int pairs = 3000;
-  static Vec2 velocity(int pair) { return {0.02 + 1e-6 * pair, -0.01 - 2e-6 * pair}; }
-
-  static Scene scene(double friction) {
-    Scene s = empty_scene();
-    s.contact.damping_factor = 0.1;
-    s.contact.friction = friction;
-    s.contact.rolling_friction = 0.05;
-    s.model.rolling_smoothing = 0.5;
-    for (int k = 0; k < pairs; ++k) {
-      const double x = 0.25 * (k % 60), y = 0.5 * (k / 60);
-      s.disc.push_back(disc({x, y}, radius, velocity(k), 0.2));
-      s.disc.push_back(disc({x, y - 2 * radius + overlap}, radius));
-    }
-    return s;
-  }
-  static double sum(auto&& of_pair) {
-    double all = 0;
-    for (int k = 0; k < pairs; ++k) all += of_pair(velocity(k));
-    return all;
-  }
-  const Law law{radius / 2, mass / 2};
-  const double arm = radius - overlap / 2;
-};
-
-TEST_F(ManyPairs, ThePowersOfAllChunksAreAddedUp) {
-  System system(scene(1e3));
-  State y = system.initial_state();
-  system.jump(0, y);
-  ASSERT_GT(kernel_of(system.solver()).search().blocks.size(), 1u);
-  const State dydt = rates(system, 0, y);
-  const double viscous = sum([&](Vec2 v) {
-    const double slip = v.x + 0.2 * arm;
-    return law.viscosity * v.y * v.y + law.shear_viscosity * slip * slip;
-  });
-  EXPECT_NEAR(dydt[system.ledger_of(contact_viscous)], viscous, round_off * viscous);
-  const double rolling = sum([&](Vec2 v) {
-    return 0.05 * (radius / 2) * (law.elastic - law.viscosity * v.y) * 0.2 * 0.2 / std::hypot(0.2, 0.5);
-  });
-  EXPECT_NEAR(dydt[system.ledger_of(rolling_work)], rolling, round_off * rolling);
-}
-
-TEST_F(ManyPairs, SlidingAndStiffeningOfAllChunksAreAddedUp) {
-  const double friction = 0.01, wound = 1e-7;
-  System system(scene(friction));
-  State y = system.initial_state();
-  system.jump(0, y);
-  const State slips = rates(system, 0, y);
-  for (int k = 0; k < system.spring_count(); ++k) {
-    const int at = system.first_spring() + k;
-    y[at] = slips[at] > 0 ? wound : slips[at] < 0 ? -wound : 0;
-  }
-  const State dydt = rates(system, 0, y);
-  const double sliding = sum([&](Vec2 v) {
-    const double slip = v.x + 0.2 * arm;
-    return (friction * (law.elastic - law.viscosity * v.y) - law.stiffness * wound) * slip;
-  });
-  EXPECT_NEAR(dydt[system.ledger_of(friction_work)], sliding, round_off * sliding);
-  const double stiffer = sum([&](Vec2 v) { return 0.5 * wound * wound * law.stiffness / (2 * overlap) * -v.y; });
-  EXPECT_NEAR(dydt[system.ledger_of(stiffening)], stiffer, round_off * stiffer);
-}
-
-TEST_F(ManyPairs, WhatAJumpReturnsInAllChunksIsBookedAsFriction) {
-  const double friction = 0.01, wound = 1e-4;
-  System system(scene(friction));
-  State y = system.initial_state();
-  system.jump(0, y);
-  const State slips = rates(system, 0, y);
-  for (int k = 0; k < system.spring_count(); ++k) {
-    if (slips[system.first_spring() + k] != 0) y[system.first_spring() + k] = k % 2 == 0 ? wound : -wound;
-  }
-  y[system.ledger_of(friction_work)] = 3;
-  EXPECT_TRUE(system.jump(0, y).springs_changed);
-  const double freed = sum([&](Vec2 v) {
-    const double reach = friction * (law.elastic - law.viscosity * v.y) / law.stiffness;
-    return 0.5 * law.stiffness * (wound * wound - reach * reach);
-  });
-  EXPECT_NEAR(y[system.ledger_of(friction_work)] - 3, freed, round_off * freed);
-  const double booked = y[system.ledger_of(friction_work)];
-  EXPECT_FALSE(system.jump(0, y).springs_changed);
-  EXPECT_EQ(y[system.ledger_of(friction_work)], booked);
 }
 
 // The border between two nodes 1.25 m apart has an auxiliary point at 0.125 m; when its link tears it keeps the nodes.

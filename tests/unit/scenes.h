@@ -176,4 +176,11 @@ inline Scene on_a_segment_that_tears(std::vector<Disc> discs) {
   return scene;
 }
 
+// A scene at its start, after a first jump: its contacts hold springs, its links have torn.
+struct Standing {
+  explicit Standing(const Scene& scene) : system(scene), y(system.initial_state()) { system.jump(0, y); }
+  System system;
+  State y;
+};
+
 }  // namespace furrow::test

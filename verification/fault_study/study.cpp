@@ -17,19 +17,18 @@
 // Exit codes: 0 every fault was noticed; 1 some were not, or one could not be applied or built; 4 a file cannot be
 // read.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <thread>
 
 #include "output/files.h"
 #include "report/measured_process.h"
 #include "report/seal.h"
 #include "verification/fault_study/faults.h"
+#include "verification/fault_study/trial.h"
 #include "verification/fault_study/verdicts.h"
 
 namespace furrow::verification {
@@ -53,71 +52,7 @@ ordered_json head_of(const Fault& fault) {
           {"kind", fault.constant ? "constant" : "fault"}};
 }
 
-// Runs the pages whose turn is up to `last`, and those after it one turn at a time until some test fails.
-void try_fault(Workshop& workshop, const std::vector<Page>& pages, Turn last, const Change& change,
-               ordered_json& result) {
-  std::set<std::string> failed;
-  std::set<std::string> left_out;
-  workshop.put(change);
-  for (const Page& page : pages) {
-    if (page.turn > last && !failed.empty()) {
-      left_out.insert(turn_names[page.turn]);
-      continue;
-    }
-    last = std::max(last, page.turn);
-    failed.merge(workshop.failing_tests(page));
-  }
-  result["failed"] = failed;
-  result["left_out"] = left_out;
-}
-
-// The smallest power of ten that some test notices as a relative change. `pages` is left with the one that noticed last
-// in front: it is the likeliest to notice the next change.
-void smallest_noticed(Workshop& workshop, std::vector<Page>& pages, const Change& constant, ordered_json& result) {
-  int seen = 0;
-  int unseen = 16;
-  while (unseen - seen > 1) {
-    const int middle = (seen + unseen) / 2;
-    Change change = constant;
-    change.new_text = std::regex_replace(change.new_text, std::regex("CHANGE"), "1e-" + std::to_string(middle));
-    workshop.put(change);
-    std::set<std::string> failed;
-    const auto notices = [&](const Page& page) {
-      return page.turn == Turn::always && !(failed = workshop.failing_tests(page)).empty();
-    };
-    const auto noticing = std::find_if(pages.begin(), pages.end(), notices);
-    const bool noticed = noticing != pages.end();
-    (noticed ? seen : unseen) = middle;
-    if (!noticed) continue;
-    result["by"] = failed;
-    std::rotate(pages.begin(), noticing, noticing + 1);
-  }
-  if (seen == 0) throw std::runtime_error("a change by a tenth is not noticed");
-  result["smallest_noticed"] = std::pow(10.0, -seen);
-}
-
 bool of_kernel(const Fault& fault) { return !fault.constant && fault.change.file.starts_with("src/kernel/"); }
-
-// By the pages, or by the property alone, as far as they were asked.
-bool failed(const ordered_json& result) {
-  const auto nothing_in = [&](const char* key) { return result.contains(key) && result[key].empty(); };
-  return result.contains("trouble") || nothing_in("failed") || nothing_in("by_property");
-}
-
-std::string in_words(const ordered_json& result) {
-  if (result.contains("trouble")) return "TROUBLE: " + result["trouble"].get<std::string>();
-  const auto noticed_by = [&](const char* key) {
-    return result[key].empty() ? std::string("NOT NOTICED")
-                               : "noticed by " + std::to_string(result[key].size()) + " tests";
-  };
-  std::string words = result.contains("failed") ? noticed_by("failed") : "";
-  if (result.contains("by_property"))
-    words += (words.empty() ? "" : "; ") + ("by the kernel's property alone: " + noticed_by("by_property"));
-  if (!words.empty()) return words;
-  char text[64];
-  std::snprintf(text, sizeof text, "noticed from a relative change of %g", result["smallest_noticed"].get<double>());
-  return text;
-}
 
 class Study {
  public:

@@ -1,0 +1,40 @@
+// What each watch over a run has seen, and what it says of it.
+#include <algorithm>
+#include <array>
+
+#include "run/validity.h"
+
+namespace furrow {
+
+const char* to_string(Verdict verdict) {
+  constexpr std::array names{"not watched", "kept", "allowed", "warned", "broken"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+Verdict Watched::verdict() const {
+  if (!watched) return Verdict::not_watched;
+  if (worst <= warns_above) return Verdict::kept;
+  if (allowed && worst <= *allowed) return Verdict::allowed;
+  return worst > std::max(ends_above, allowed.value_or(0)) ? Verdict::broken : Verdict::warned;
+}
+
+void Watched::history(HistoryVisitor& visit) {
+  visit("worst", worst);
+  visit("time", time);
+  visit("where", where);
+  visit("times", times);
+}
+
+void RunExtremes::history(HistoryVisitor& visit) {
+  visit.list("plates", plate, [&](PlateForce& p) {
+    visit("force", p.force);
+    visit("fx", p.fx);
+    visit("fy", p.fy);
+    visit("time", p.time);
+  });
+  visit("speed", speed);
+  visit("speed time", speed_time);
+  visit("fastest", fastest);
+}
+
+}  // namespace furrow
