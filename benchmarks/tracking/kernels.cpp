@@ -13,6 +13,7 @@
 #include "output/run_files.h"
 #include "run/observe.h"
 #include "run/run.h"
+#include "scene/hash.h"
 #include "scene/read.h"
 
 namespace furrow::benchmarks {
@@ -20,19 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Hash {
- public:
-  void add(std::uint64_t bits) {
-    for (int byte = 0; byte < 8; ++byte) sum_ = (sum_ ^ ((bits >> (8 * byte)) & 0xff)) * 0x100000001b3ULL;
-  }
-  void add(std::span<const double> values) {
-    for (const double value : values) add(std::bit_cast<std::uint64_t>(value));
-  }
-  std::uint64_t sum() const { return sum_; }
-
- private:
-  std::uint64_t sum_ = 0xcbf29ce484222325ULL;
-};
+std::uint64_t hash_of(std::span<const double> values) {
+  Fnv1a hash;
+  for (const double value : values) hash.add_word(std::bit_cast<std::uint64_t>(value));
+  return hash.value();
+}
 
 struct Ready {
   explicit Ready(const Scene& from) : scene(from), system(from), y(system.initial_state()), dydt(y.size()) {}
@@ -61,11 +54,7 @@ std::function<void(long)> times(std::function<void()> once) {
 // ---- evaluations ----
 
 Work rhs_of(const std::shared_ptr<Ready>& r, double t) {
-  const auto answer = [r] {
-    Hash hash;
-    hash.add(r->dydt);
-    return hash.sum();
-  };
+  const auto answer = [r] { return hash_of(r->dydt); };
   const double later = t + 1e-9;  // s: the accepted answers are of this time
   return {.run = times([r, later] { r->system.rhs(later, r->y, r->dydt); }), .answer = answer, .error = {}};
 }
@@ -126,10 +115,8 @@ Work reading(const fs::path& /*beds*/) {
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   const auto scene = std::make_shared<Scene>();
   const auto answer = [=] {  // of some values only: a new key of the schema does not change it
-    Hash hash;
-    hash.add(std::vector{scene->time.end, scene->material.at(0).density, scene->wall.at(2).point.x,
-                         scene->lattice.at(0).shear.strength, scene->output.frames.at(5)});
-    return hash.sum();
+    return hash_of(std::vector{scene->time.end, scene->material.at(0).density, scene->wall.at(2).point.x,
+                               scene->lattice.at(0).shear.strength, scene->output.frames.at(5)});
   };
   return {.run = times([=] { *scene = parse_scene(text, "scenario_3"); }), .answer = answer, .error = {}};
 }

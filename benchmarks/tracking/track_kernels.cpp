@@ -7,7 +7,6 @@
 // NAME may also be one of the paper's scenes, which are run as a whole.
 // Exit codes: 0 good, 1 repetitions do not agree on the answer, 2 usage, 4 input or output.
 #include <algorithm>
-#include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -18,21 +17,17 @@
 #include "benchmarks/tracking/kernels.h"
 #include "output/build_info.h"
 #include "output/machine.h"
+#include "scene/hash.h"
 
 // For callgrind's --toggle-collect: a name as it stands, never inlined.
 extern "C" [[gnu::noinline]] void measured(const std::function<void(long)>& work, long calls) { work(calls); }
 
 namespace {
 
+using furrow::hexadecimal;
 using furrow::benchmarks::Kernel;
 using furrow::benchmarks::Work;
 using Json = nlohmann::ordered_json;
-
-std::string hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, value);
-  return text;
-}
 
 const Kernel& kernel_of(const std::string& name) {
   for (const auto* all : {&furrow::benchmarks::kernels(), &furrow::benchmarks::whole_scenes()}) {

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "scene/hash.h"
+
 namespace furrow {
 namespace {
 
@@ -27,12 +29,6 @@ T get(std::string_view bytes) {
   for (std::size_t k = sizeof value; k-- > 0;)
     value = static_cast<T>(value << 8 | static_cast<unsigned char>(bytes[k]));
   return value;
-}
-
-std::uint64_t fnv_1a(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return hash;
 }
 
 std::string all_of(const std::filesystem::path& file) {
@@ -143,7 +139,7 @@ void write_checkpoint(const std::filesystem::path& file, const std::vector<Check
   std::string length;
   put(length, std::uint64_t{bytes.size() + tail});
   bytes.replace(magic.size() + 4, length.size(), length);
-  put(bytes, fnv_1a(bytes));
+  put(bytes, Fnv1a().add(bytes).value());
   OutputFile out = OutputFile::rewriting(file);
   out << bytes;
   out.finish();
@@ -161,7 +157,7 @@ Checkpoint::Checkpoint(const std::filesystem::path& file) : file_(file), bytes_(
   if (all.size() < length)
     refuse("is cut short: " + std::to_string(all.size()) + " of " + std::to_string(length) + " bytes");
   if (all.size() > length ||
-      get<std::uint64_t>(all.substr(all.size() - tail)) != fnv_1a(all.substr(0, all.size() - tail)))
+      get<std::uint64_t>(all.substr(all.size() - tail)) != Fnv1a().add(all.substr(0, all.size() - tail)).value())
     refuse("is damaged: its checksum is not that of its bytes");
   std::string_view rest = all.substr(head, all.size() - head - tail);
   const auto take = [&](std::size_t count) {

@@ -1,6 +1,5 @@
 #include "output/run_files.h"
 
-#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -16,6 +15,7 @@
 #include "run/observe.h"
 #include "run/prepare.h"
 #include "run/stiffness.h"
+#include "scene/hash.h"
 #include "scene/read.h"
 #include "system/floating_point.h"
 
@@ -23,12 +23,6 @@ namespace furrow {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, value);
-  return text;
-}
 
 // Those that a run goes on with after so many frames.
 std::vector<std::string> lasting_files(std::size_t frames) {

@@ -5,6 +5,7 @@
 
 #include "kernel/kernel.h"
 #include "reference/reference.h"
+#include "scene/hash.h"
 #include "scene/interrupt.h"
 #include "system/floating_point.h"
 
@@ -76,19 +77,16 @@ std::string System::velocity_dependence() const {
 }
 
 std::uint64_t System::state_hash(const State& y) const {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  const auto add = [&hash](std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte, word >>= 8) hash = (hash ^ (word & 0xff)) * 0x100000001b3ULL;
-  };
+  Fnv1a hash;
   const int springs = layout().first_spring;
-  for (int k = 0; k < springs; ++k) add(std::bit_cast<std::uint64_t>(y[k]));
+  for (int k = 0; k < springs; ++k) hash.add_word(std::bit_cast<std::uint64_t>(y[k]));
   for (int k = 0; k < layout().spring_count; ++k) {  // how much room there is for more does not count
     if (y[springs + k] == 0) continue;
-    add(static_cast<std::uint64_t>(k));
-    add(std::bit_cast<std::uint64_t>(y[springs + k]));
+    hash.add_word(static_cast<std::uint64_t>(k));
+    hash.add_word(std::bit_cast<std::uint64_t>(y[springs + k]));
   }
-  for (int k = 0; k < parts().link.count(); ++k) add(torn(k) ? 1 : 0);
-  return hash;
+  for (int k = 0; k < parts().link.count(); ++k) hash.add_word(torn(k) ? 1 : 0);
+  return hash.value();
 }
 
 }  // namespace furrow

@@ -2,6 +2,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "scene/hash.h"
 #include "scene/read.h"
 #include "scene/schema.h"
 #include "scene/toml_value.h"
@@ -66,9 +67,7 @@ std::string canonical_text(const Scene& scene) {
 }
 
 std::uint64_t scene_hash(const Scene& scene) {
-  std::uint64_t hash = 14695981039346656037u;  // FNV-1a, 64 bits: offset basis and prime
-  for (const char c : canonical_text(scene)) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  return hash;
+  return Fnv1a().add(canonical_text(scene)).value();
 }
 
 }  // namespace furrow

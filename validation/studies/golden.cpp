@@ -1,7 +1,6 @@
 #include "validation/studies/golden.h"
 
 #include <array>
-#include <cinttypes>
 #include <cmath>
 #include <fstream>
 
@@ -12,6 +11,7 @@
 #include "report/study.h"
 #include "run/observe.h"
 #include "run/run.h"
+#include "scene/hash.h"
 #include "scene/read.h"
 #include "validation/studies/beds.h"
 #include "validation/studies/golden_compare.h"
@@ -31,12 +31,6 @@ std::vector<Which> all_runs(bool quick) {
   std::vector<Which> all{{"scenario_3", Reading::disc}, {"scenario_2", Reading::disc}, {"scenario_1", Reading::disc}};
   if (!quick) all.insert(all.begin(), {{"scenario_3", Reading::sphere}, {"scenario_2", Reading::sphere}});
   return all;
-}
-
-std::string hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, value);
-  return text;
 }
 
 Json energies_of(const Energies& e) {
