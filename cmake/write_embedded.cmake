@@ -41,11 +41,5 @@ std::string_view embedded(std::string_view name) {
   throw std::out_of_range(\"no embedded file \" + std::string(name));
 }
 
-std::vector<std::string_view> embedded_names() {
-  std::vector<std::string_view> names;
-  for (const File& file : files) names.push_back(file.name);
-  return names;
-}
-
 }  // namespace furrow
 ")

@@ -37,8 +37,6 @@ inline std::string item(std::string_view list, std::size_t i) {
   return std::string(list) + '[' + std::to_string(i) + ']';
 }
 
-inline bool printable(char c) { return c >= ' ' && c <= '~'; }
-
 inline std::string joined(const std::vector<std::string>& words, const char* between = ", ") {
   std::string list;
   for (const std::string& word : words) list += (&word == &words.front() ? "" : between) + word;

@@ -142,6 +142,13 @@ class Program : public testing::Test {
   static std::string scene(const std::string& name) {
     return "'" FURROW_SOURCE_DIR "/validation/scenes/" + name + ".toml'";
   }
+  // A packing `height` high (m) that falls for the time `end` (s).
+  static std::string bed_on_two_threads(int discs, const std::string& end, const std::string& height) {
+    return "title = \"A bed\"\n[time]\nend = " + end + "\nstep = 1e-4\n[search]\nthreads = 2\n" +
+           "[[material]]\nname = \"common\"\ndensity = 1000.0\nyoung = 2e6\npoisson = 0.2\n" +
+           "[[packing]]\ncount = " + std::to_string(discs) + "\nradius_min = 0.01\nradius_max = 0.01\n" +
+           "lower_left = [0.0, 0.0]\nupper_right = [3.0, " + height + "]\nmaterial = \"common\"\nseed = 1\n";
+  }
   static std::string bad_scene(const std::string& name) {
     return "'" FURROW_SOURCE_DIR "/tests/bad_input/" + name + ".toml'";
   }

@@ -58,29 +58,8 @@ TEST_F(ExpectedToFail, ListedInAnyOrderNeighboursAreNearInMemory) {
 // take 50 times the CPU time of one. What the runtime says of itself is the same on every machine, and that is not.
 TEST_F(ExpectedToFail, ThreadsThatWaitDoNotSpin) {
   mended_in("tests/command_line/program_test.cpp");
-  put("bed.toml", R"(title = "A bed"
-[model]
-gravity = 9.81
-[time]
-end = 1e-3
-step = 1e-4
-method = "pece"
-[search]
-threads = 2
-[[material]]
-name = "common"
-density = 1000.0
-young = 2e6
-poisson = 0.2
-[[packing]]
-count = 4200
-radius_min = 0.01
-radius_max = 0.01
-lower_left = [0.0, 0.0]
-upper_right = [3.0, 1.2]
-material = "common"
-seed = 1
-)");
+  put("bed.toml", bed_on_two_threads(4200, "1e-3", "1.2"));
+
   const Result r = furrow("run bed.toml", "OMP_DISPLAY_ENV=verbose");
   ASSERT_EQ(r.code, 0) << r.err;
   // Of libgomp and of clang's runtime: rounds of a loop, and ms, before a thread sleeps.

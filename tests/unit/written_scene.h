@@ -120,6 +120,4 @@ inline std::vector<KnownContact> contacts_of(const KnownRun& known, const Moment
   return found;
 }
 
-inline double speed_of(const Plate& plate) { return std::hypot(plate.velocity.x, plate.velocity.y); }
-
 }  // namespace furrow::test
