@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "output/machine.h"
 #include "run/run.h"
 
 namespace furrow::benchmarks {
@@ -60,12 +60,6 @@ struct Clock {
   }
 };
 
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 // Per number, over `unit`; 0 if there is nothing to compare.
 double difference(const std::vector<double>& a, const std::vector<double>& b, double unit) {
   if (b.empty()) return 0;
@@ -77,10 +71,10 @@ double difference(const std::vector<double>& a, const std::vector<double>& b, do
 
 }  // namespace
 
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v * v;
+  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 Outcome run_case(const Case& scene, const Effort& effort) {

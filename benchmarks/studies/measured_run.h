@@ -35,7 +35,7 @@ struct Error {
 };
 Error error_of(const Outcome& outcome, const Outcome& reference);
 
-// s, of this thread.
-double cpu_seconds();
+// 0 of no values.
+double root_mean_square(const std::vector<double>& values);
 
 }  // namespace furrow::benchmarks

@@ -9,6 +9,7 @@
 #include "benchmarks/studies/measured_run.h"
 #include "benchmarks/studies/need_terms.h"
 #include "benchmarks/studies/studies.h"
+#include "scene/hash.h"
 #include "scene/read.h"
 
 namespace furrow::benchmarks {
@@ -55,12 +56,6 @@ struct Run {
   std::array<double, 6> value{};  // of `curve` and `place` the units: root mean squares
   Outcome outcome;
 };
-
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
 
 Run run_from(const Json& json) {
   Run run;
@@ -195,12 +190,6 @@ Verdict verdict_on(const Runs& runs, std::size_t term) {
   return v;
 }
 
-std::string hash_of(const Scene& scene) {
-  std::array<char, 20> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(scene_hash(scene)));
-  return text.data();
-}
-
 // Returns the terms that are not needed, for furrow explain.
 Json add_subject(Report& report, const Runs& runs) {
   report.heading(runs.subject.name);
@@ -298,7 +287,7 @@ Json need(const Settings& settings) {
       "damping of contacts cannot be left out of a bed: without them it never settles. What a scene leaves out "
       "already, and so cannot be switched off, is what furrow explain lists.");
   Json not_needed = Json::object();
-  for (const Runs& runs : all) not_needed[hash_of(runs.subject.scene())] = add_subject(report, runs);
+  for (const Runs& runs : all) not_needed[hexadecimal(scene_hash(runs.subject.scene()))] = add_subject(report, runs);
   report.data({{"not_needed", not_needed}});
   add_ledger_claim(report, all);
   return report.json();

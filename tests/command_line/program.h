@@ -19,6 +19,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/files.h"
+
 namespace furrow::test {
 
 namespace fs = std::filesystem;
@@ -27,13 +29,6 @@ struct Result {
   int code;
   std::string out, err;
 };
-
-inline std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 inline int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status); }
 
@@ -109,13 +104,6 @@ class Process {
 
 class Program : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_program_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(directory_); }
-
   // The program runs in a directory of its own; `before` goes in front of it ("ulimit -f 8;").
   Result furrow(const std::string& arguments, const std::string& before = "") const {
     const std::string command = "cd '" + directory_.string() + "' && " + before + " '" FURROW_PROGRAM "' " + arguments +
@@ -180,7 +168,8 @@ class Program : public testing::Test {
     std::ofstream(directory_ / file) << text;
   }
 
-  fs::path directory_;
+  const OwnDirectory own_;
+  const fs::path directory_ = own_.path();
 };
 
 }  // namespace furrow::test

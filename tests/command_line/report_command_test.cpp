@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 class Judging : public furrow::test::Program {
  protected:
   void SetUp() override {
-    Program::SetUp();
     fs::create_directory(directory_ / "scenes");
     for (const char* number : {"1", "2", "3"}) write_scene(number, "1e-4");
   }

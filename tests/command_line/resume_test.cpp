@@ -58,7 +58,6 @@ frames = [0.0, 0.1, 0.2, 0.3, 1.2]
 class Resume : public Program {
  protected:
   void SetUp() override {
-    Program::SetUp();
     put("bed.toml", bed);
     put("bed_saved.toml", std::string(bed) + "checkpoint = 0.02\n");
     std::string lattice = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml");

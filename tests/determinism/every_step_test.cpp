@@ -164,8 +164,8 @@ TEST(EveryStep, TheBedHasWhatCouldDiffer) {
   EXPECT_GT(full.slips(), 0);
   EXPECT_GT(full.now().discrete.held.size(), 1000u);
   const NeighbourSearch& search = kernel_of(full.system().solver()).search();
-  EXPECT_EQ(search.chunks.size(), 2u);
-  EXPECT_GT(search.spills, 0);
+  EXPECT_EQ(search.blocks.size(), 2u);
+  EXPECT_GT(search.contributions, 0);
   EXPECT_GT(search.rebuilds, 1);
   for (const World* world : {&full, &elastic}) EXPECT_GT(world->now().discrete.torn.size(), 0u);
 }

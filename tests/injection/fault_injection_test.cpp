@@ -12,7 +12,6 @@ namespace {
 class FaultInjection : public Program {
  protected:
   void SetUp() override {
-    Program::SetUp();
     std::string lattice = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml");
     put("lattice.toml", lattice.replace(lattice.find("frames = [0.0,"), 14, "frames = [0.0, 0.1, 0.2,"));
     put("bed.toml",

@@ -17,6 +17,8 @@
 #include <set>
 #include <sstream>
 
+#include "tests/files.h"
+
 namespace furrow::test {
 namespace {
 
@@ -25,12 +27,6 @@ namespace fs = std::filesystem;
 std::string environment(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);
   return value && *value ? value : otherwise;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -174,13 +170,9 @@ enum ExitCode { good = 0, failed_check = 1, bad_input = 2, diverged = 3, io_fail
 class MutatedScenes : public testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_property_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
     const auto limit = static_cast<long>(4e6);  // kB: a scene that asks for more must be refused, not killed
     limits_ = sanitizers() ? "" : "ulimit -v " + std::to_string(limit) + " && ";
   }
-  void TearDown() override { fs::remove_all(directory_); }
 
   static bool sanitizers() { return !environment("FURROW_TRIED", "").empty(); }
 
@@ -241,7 +233,8 @@ class MutatedScenes : public testing::Test {
     if (run.code == good) expect_numbers();
   }
 
-  fs::path directory_;
+  const OwnDirectory own_;
+  const fs::path directory_ = own_.path();
   std::string limits_;
 };
 

@@ -7,19 +7,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/files.h"
+
 namespace furrow::test {
 
 inline std::string text_of_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  EXPECT_TRUE(stream) << file;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  EXPECT_TRUE(std::filesystem::exists(file)) << file;
+  return text_of(file);
 }
 
 struct Csv {
@@ -74,23 +72,6 @@ struct Csv {
 
  private:
   std::filesystem::path file_;
-};
-
-// A directory of its own, removed at the end of the test.
-class OwnDirectory {
- public:
-  OwnDirectory() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "furrow_test_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = pattern;
-  }
-  ~OwnDirectory() { std::filesystem::remove_all(path_); }
-  OwnDirectory(const OwnDirectory&) = delete;
-  OwnDirectory& operator=(const OwnDirectory&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 }  // namespace furrow::test

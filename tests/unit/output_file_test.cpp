@@ -4,9 +4,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "output/files.h"
+#include "tests/files.h"
 #include "validation/page/table.h"
 
 namespace furrow {
@@ -14,23 +14,14 @@ using namespace validation;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+using test::text_of;
 
 class OutputFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_files_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    directory_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(directory_); }
   void put(const std::string& name, const std::string& text) const { std::ofstream(directory_ / name) << text; }
 
-  fs::path directory_;
+  const test::OwnDirectory own_;
+  const fs::path directory_ = own_.path();
 };
 
 TEST_F(OutputFiles, HasItsNameOnlyWhenItIsComplete) {

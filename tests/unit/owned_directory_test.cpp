@@ -9,31 +9,21 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+
+#include "tests/files.h"
 
 namespace furrow {
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
 
 const std::vector<std::string> all{"a.csv", "run.json", "frames/one.csv"};
 
 class OwnedDirectories : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "furrow_owned_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    home_ = pattern;
-    place_ = home_ / "run";
-  }
-  void TearDown() override { fs::remove_all(home_); }
-
-  static std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
   static void put(const fs::path& file, const std::string& text = "mine") {
     fs::create_directories(file.parent_path());
     std::ofstream(file) << text;
@@ -72,7 +62,9 @@ class OwnedDirectories : public testing::Test {
   }
   static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-  fs::path home_, place_;
+  const test::OwnDirectory own_;
+  const fs::path home_ = own_.path();
+  fs::path place_ = home_ / "run";
 };
 
 TEST_F(OwnedDirectories, MarkerSaysWhoOwnsWhatFromTheFirstMoment) {

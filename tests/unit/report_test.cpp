@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "run_directory.h"
+#include "tests/files.h"
 #include "validation/page/gnuplot.h"
 
 namespace furrow {
@@ -17,11 +18,7 @@ using namespace validation;
 namespace {
 
 using test::RunDirectory;
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+using test::text_of;
 
 std::string page_of(const RunDirectory& run, const std::string& name = "scenario_1") {
   OwnedDirectory out(run.path() / "page", "report", page_files());
