@@ -176,7 +176,7 @@ constexpr double r = 0.01;  // m
 long looks(const Heap& heap) {
   NeighbourSearch search(heap.parts, {});
   search.update(heap.parts, heap.now());
-  return search.looks;
+  return search.checks;
 }
 
 // Looks for the lists of `many` discs of 1 cm and whatever `add` adds, over those of the discs alone.
