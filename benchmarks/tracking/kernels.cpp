@@ -21,9 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void add(Fnv1a& hash, std::span<const double> values) {
+  for (const double value : values) hash.add_word(std::bit_cast<std::uint64_t>(value));
+}
+
 std::uint64_t hash_of(std::span<const double> values) {
   Fnv1a hash;
-  for (const double value : values) hash.add_word(std::bit_cast<std::uint64_t>(value));
+  add(hash, values);
   return hash.value();
 }
 
@@ -80,14 +84,14 @@ Work rhs_links(const fs::path& /*beds*/) {
 Work rebuild(const fs::path& beds) {
   const auto r = ready(discs(beds), false);
   const auto height = std::make_shared<double>(0.5);  // m
-  const auto sum = std::make_shared<Hash>();
+  const auto sum = std::make_shared<Fnv1a>();
   const auto once = [=] {
     for (int i = 0; i < r->system.parts().disc.count(); ++i) r->y[r->system.y_of(i)] += *height;
     *height = -*height;
     r->system.rhs(0, r->y, r->dydt);
-    sum->add(r->dydt);
+    add(*sum, r->dydt);
   };
-  return {.run = times(once), .answer = [=] { return sum->sum(); }, .error = {}};
+  return {.run = times(once), .answer = [=] { return sum->value(); }, .error = {}};
 }
 
 Work jump(const fs::path& beds) {
@@ -99,15 +103,15 @@ Work jump(const fs::path& beds) {
 
 Work observation(const fs::path& beds) {
   const auto r = ready(discs(beds), true);
-  const auto sum = std::make_shared<Hash>();
+  const auto sum = std::make_shared<Fnv1a>();
   const auto once = [=] {
     const Observation seen = observe(r->system, 0, r->y);
     const Energies& e = seen.energy;
-    sum->add(std::vector{seen.plate[0].x, seen.plate[0].y, e.kinetic, e.gravity, e.contact_elastic,
-                         seen.momentum.angular, seen.overlap.depth});
-    for (const Stress& s : disc_stresses(r->system, 0, r->y)) sum->add(std::vector{von_mises(s)});
+    add(*sum, std::vector{seen.plate[0].x, seen.plate[0].y, e.kinetic, e.gravity, e.contact_elastic,
+                          seen.momentum.angular, seen.overlap.depth});
+    for (const Stress& s : disc_stresses(r->system, 0, r->y)) add(*sum, std::vector{von_mises(s)});
   };
-  return {.run = times(once), .answer = [=] { return sum->sum(); }, .error = {}};
+  return {.run = times(once), .answer = [=] { return sum->value(); }, .error = {}};
 }
 
 Work reading(const fs::path& /*beds*/) {
