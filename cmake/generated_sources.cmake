@@ -12,7 +12,7 @@ add_custom_target(furrow_build_info
     "-DTEMPLATE=${PROJECT_SOURCE_DIR}/src/output/build_info.cpp.in" "-DOUTPUT=${generated_dir}/build_info.cpp"
     "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DVERSION=${PROJECT_VERSION}" "-DBUILD_TYPE=${CMAKE_BUILD_TYPE}"
     "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DFLAGS=${flags}"
-    "-DSYSTEM=${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}"
+    "-DSYSTEM=${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}" "-DPARTS=${parts}"
     -P "${PROJECT_SOURCE_DIR}/cmake/write_build_info.cmake"
   BYPRODUCTS "${generated_dir}/build_info.cpp"
   COMMENT "Noting the commit" VERBATIM)
@@ -27,6 +27,19 @@ add_custom_command(OUTPUT "${generated_dir}/embedded.cpp"
     "-DFILES=${embedded_files}" -P "${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake"
   DEPENDS ${embedded_paths} "${PROJECT_SOURCE_DIR}/cmake/write_embedded.cmake"
   COMMENT "Embedding text files" VERBATIM)
+
+# What the numbers of studies depend on; see src/report/sources.h.
+file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
+  src/*.h src/*.cpp verification/studies/*.h verification/studies/*.cpp validation/studies/*.h validation/studies/*.cpp
+  benchmarks/studies/*.h benchmarks/studies/*.cpp)
+file(GLOB page_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" validation/page/*.h validation/page/*.cpp)
+list(APPEND hashed_files ${page_files})
+list(TRANSFORM hashed_files PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE hashed_paths)
+add_custom_command(OUTPUT "${generated_dir}/sources.cpp"
+  COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${generated_dir}/sources.cpp" "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}"
+    "-DFILES=${hashed_files}" -P "${PROJECT_SOURCE_DIR}/cmake/write_sources.cmake"
+  DEPENDS ${hashed_paths} "${PROJECT_SOURCE_DIR}/cmake/write_sources.cmake"
+  COMMENT "Hashing the sources" VERBATIM)
 
 target_sources(furrow PRIVATE "${generated_dir}/build_info.cpp")
 add_dependencies(furrow furrow_build_info)

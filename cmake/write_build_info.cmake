@@ -1,4 +1,4 @@
-# cmake -DTEMPLATE= -DOUTPUT= -DSOURCE_DIR= -DVERSION= -DBUILD_TYPE= -DCOMPILER= -DFLAGS= -DSYSTEM= -P write_build_info.cmake
+# cmake -DTEMPLATE= -DOUTPUT= -DSOURCE_DIR= -DVERSION= -DBUILD_TYPE= -DCOMPILER= -DFLAGS= -DSYSTEM= "-DPARTS=a;b" -P write_build_info.cmake
 
 set(COMMIT unknown)
 # Without this check, sources unpacked inside somebody else's repository would carry that repository's commit.
@@ -13,7 +13,7 @@ endif()
 
 # Of the solver: what decides the bits of a run and of its files. Names and texts, in the order of the names.
 set(all "")
-foreach(part physics scene system methods output)
+foreach(part IN LISTS PARTS)
   file(GLOB sources RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/src/${part}/*.h" "${SOURCE_DIR}/src/${part}/*.cpp")
   foreach(source IN LISTS sources)
     file(SHA256 "${SOURCE_DIR}/${source}" hash)

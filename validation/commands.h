@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "program/program.h"
+#include "report/study.h"
 
 namespace furrow::validation {
 
-// report
-void add_report_command(CLI::App& app, std::vector<Command>& all);
+// report; the chapters of `catalogue` make the words about studies.
+void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vector<Study>& catalogue);
 
 }  // namespace furrow::validation

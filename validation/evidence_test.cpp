@@ -12,6 +12,7 @@
 
 #include "output/files.h"
 #include "report/seal.h"
+#include "validation/page/chapters/chapters.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/kept_ensemble.h"
 
@@ -119,83 +120,12 @@ TEST(FewMembers, ANormOfNothingOrOfOneNumberIsStrange) {
   EXPECT_TRUE(std::isinf(strangeness({}, norm_of({member, member}))));
 }
 
-// ---- runs of a study ----
-
-Task task(const std::string& key, Json result, int& count) {
-  return {key, [result = std::move(result), &count] { return ++count, result; }};
-}
-
-TEST(KeptRuns, AreNotRunTwice) {
-  Place place;
-  int count = 0;
-  const Settings settings{.directory = place.path};
-  run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
-  EXPECT_EQ(run_tasks("s", settings, {task("a", {{"x", 2}}, count)}), std::vector<Json>{Json({{"x", 1}})});
-  EXPECT_EQ(count, 1);
-}
-
-TEST(KeptRuns, OfTheQuickFormDoNotServeTheFullOneNorAnotherStudy) {
-  Place place;
-  int count = 0;
-  run_tasks("s", {.quick = true, .directory = place.path}, {task("a", {{"x", 1}}, count)});
-  run_tasks("s", {.directory = place.path}, {task("a", {{"x", 1}}, count)});
-  EXPECT_EQ(count, 2);
-  fs::copy_file(place.path / "s.runs.jsonl", place.path / "t.runs.jsonl");
-  run_tasks("t", {.directory = place.path}, {task("a", {{"x", 1}}, count)});
-  EXPECT_EQ(count, 3);
-}
-
-TEST(KeptRuns, AFailureIsTriedAgain) {
-  Place place;
-  int count = 0;
-  const Settings settings{.directory = place.path};
-  const auto fails = run_tasks("s", settings, {{"a", []() -> Json { throw std::runtime_error("once"); }}});
-  EXPECT_EQ(fails.at(0).at("failed"), "once");
-  EXPECT_EQ(run_tasks("s", settings, {task("a", {{"x", 1}}, count)}).at(0).at("x"), 1);
-  EXPECT_EQ(count, 1);
-}
-
-TEST(KeptRuns, WantOfMemoryEndsTheStudy) {
-  EXPECT_THROW(run_tasks("s", {}, {{"a", []() -> Json { throw std::bad_alloc(); }}}), std::bad_alloc);
-  EXPECT_THROW(run_tasks("s", {.jobs = 2}, {{"a", []() -> Json { throw FileError("full"); }}}), FileError);
-}
-
-TEST(KeptRuns, OfAnotherProgramOrChangedByHandAreRunAgain) {
-  for (const char* key : {"program", "machine", "result", "key"}) {
-    Place place;
-    int count = 0;
-    const Settings settings{.directory = place.path};
-    run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
-    Json line = json_of(place.path / "s.runs.jsonl");
-    line[key] = "b";
-    if (line[key] != line["result"]) seal(line);
-    std::ofstream(place.path / "s.runs.jsonl") << line.dump() << "\n";
-    run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
-    EXPECT_EQ(count, 2) << key;
-  }
-}
-
-TEST(KeptRuns, ALineThatWasCutDoesNotSpoilTheNext) {
-  Place place;
-  int count = 0;
-  const Settings settings{.directory = place.path};
-  std::ofstream(place.path / "s.runs.jsonl") << "{\"program\": \"12";
-  run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
-  run_tasks("s", settings, {task("a", {{"x", 1}}, count)});
-  EXPECT_EQ(count, 1);
-}
-
-TEST(KeptRuns, TwoOfOneKeyAreRefused) {
-  int count = 0;
-  EXPECT_THROW(run_tasks("s", {}, {task("a", {}, count), task("a", {}, count)}), std::logic_error);
-}
-
 // ---- what the page rests on ----
 
 TEST(Evidence, AllInTheTreeCanBeShown) {
   EXPECT_EQ(unusable_faults(reference("faults.json")), "");
-  for (const std::string& name : studies_of_the_page())
-    EXPECT_EQ(unusable_study(reference("studies/" + name + ".json")), "");
+  const Evidence of_the_tree{{}, {}, reference("studies"), catalogue()};
+  for (const std::string& name : studies_of_the_page()) EXPECT_EQ(unusable_study(of_the_tree, name), "");
 }
 
 TEST(Evidence, AMissingStudyOrFaultFileIsNamed) {
@@ -207,31 +137,46 @@ TEST(Evidence, AMissingStudyOrFaultFileIsNamed) {
   EXPECT_EQ(missing_evidence({}).size(), 0u) << "what was not asked for is not missing";
 }
 
-TEST(Evidence, EveryWayToSpoilAStudyIsNamed) {
+// A study of two numbers and its chapter.
+Report chapter_of_two(const Shelf& shelf) {
+  const Numbers& numbers = shelf.of("convergence");
+  return Report("Two numbers", "Which?").text(numbers.at("a").dump() + numbers.at("b").dump());
+}
+
+TEST(Evidence, EveryWayToSpoilTheNumbersOfAStudyIsNamed) {
   const std::vector<Way> ways{{"a list", [](Json& s) { s = Json::array(); }},
                               {"empty", [](Json& s) { s = Json::object(); }},
                               {"of another study", [](Json& s) { s["study"] = "order"; }},
                               {"of the quick form", [](Json& s) { s["form"] = "quick"; }},
                               {"no form", [](Json& s) { s.erase("form"); }},
-                              {"no parts", [](Json& s) { s["parts"] = Json::array(); }},
-                              {"no title", [](Json& s) { s.erase("title"); }},
-                              {"title is a number", [](Json& s) { s["title"] = 1; }}};
+                              {"of another schema", [](Json& s) { s["schema"] = 2; }},
+                              {"no results", [](Json& s) { s["results"] = Json::array(); }},
+                              {"a result that the chapter needs is not there", [](Json& s) { s["results"].erase(1); }},
+                              {"two results of one key", [](Json& s) { s["results"].push_back(s["results"][0]); }},
+                              {"a maker that is not there", [](Json& s) { s["results"][0]["maker"] = 7; }},
+                              {"no commit", [](Json& s) { s["makers"][0].erase("commit"); }}};
   Place place;
-  const Json sound = json_of(reference("studies/outlook.json"));
-  const fs::path file = place.path / "outlook.json";
+  const fs::path file = place.path / "convergence.json";
+  const Evidence evidence{
+      {}, {}, place.path, {{.name = "convergence", .measure = [](Measurement&) {}, .chapter = chapter_of_two}}};
+  Numbers numbers("convergence", "full");
+  for (const char* key : {"a", "b"}) numbers.add({.key = key, .value = 1}, this_maker({{"src/run/run.cpp", "1"}}));
+  numbers.write(file);
+  EXPECT_EQ(unusable_study(evidence, "convergence"), "");
+  const Json sound = json_of(file);
   for (const Way& way : ways) {
     Json spoilt = sound;
     way.spoil(spoilt);
     if (spoilt.is_object()) seal(spoilt);
     write(file, spoilt);
-    EXPECT_NE(unusable_study(file), "") << way.name;
+    EXPECT_NE(unusable_study(evidence, "convergence"), "") << way.name;
   }
   Json changed = sound;
-  changed["claims"] = Json::array();
+  changed["results"][0]["value"] = 2;
   write(file, changed);
-  EXPECT_NE(unusable_study(file), "") << "claims taken out";
+  EXPECT_NE(unusable_study(evidence, "convergence"), "") << "changed by hand";
   std::ofstream(file) << sound.dump().substr(0, 200);
-  EXPECT_NE(unusable_study(file), "") << "cut short";
+  EXPECT_NE(unusable_study(evidence, "convergence"), "") << "cut short";
 }
 
 Json sound_checks() {

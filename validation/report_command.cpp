@@ -92,7 +92,7 @@ bool reused(const RunOptions& options, const Scene& scene) {
   return why.empty();
 }
 
-int report_command(const ReportOptions& options) {
+int report_command(const ReportOptions& options, const std::vector<Study>& catalogue) {
   std::vector<ReportedRun> runs;
   std::vector<RunOptions> wanted;
   for (const std::string name : {"scenario_3", "scenario_2", "scenario_1"}) {  // the longest first
@@ -105,7 +105,7 @@ int report_command(const ReportOptions& options) {
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
-  const Evidence evidence{options.checks, options.faults, options.studies};
+  const Evidence evidence{options.checks, options.faults, options.studies, catalogue};
   write_report(directory, runs, evidence);
   directory.conclude("finished");
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
@@ -116,7 +116,7 @@ int report_command(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report_command(CLI::App& app, std::vector<Command>& all) {
+void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vector<Study>& catalogue) {
   static ReportOptions reported;
   auto* report = app.add_subcommand("report", "run the paper's three scenes and write one page about them");
   report->add_option("--out", reported.directory, "directory for the page and the runs")
@@ -132,6 +132,6 @@ void add_report_command(CLI::App& app, std::vector<Command>& all) {
       ->type_name("FILE");
   report->add_option("--studies", reported.studies, "directory of the studies' results, to be shown on the page")
       ->type_name("DIR");
-  all.push_back({report, [] { return report_command(reported); }});
+  all.push_back({report, [&catalogue] { return report_command(reported, catalogue); }});
 }
 }  // namespace furrow::validation

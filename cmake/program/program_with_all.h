@@ -4,11 +4,8 @@
 #include <vector>
 
 #include "program/program.h"
-#include "report/study.h"
 
 namespace furrow {
-
-const std::vector<Study>& catalogue();
 
 // study, ensemble, statements, golden.
 void add_study_commands(CLI::App& app, std::vector<Command>& all);

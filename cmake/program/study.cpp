@@ -6,6 +6,7 @@
 #include "program/progress.h"
 #include "program/usage.h"
 #include "program_with_all.h"
+#include "validation/page/chapters/chapters.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/golden.h"
 
@@ -29,7 +30,7 @@ unsigned processors() { return std::max(1U, std::thread::hardware_concurrency())
 
 const Study& study_named(const std::string& name) {
   std::string known;
-  for (const Study& study : catalogue()) {
+  for (const Study& study : validation::catalogue()) {
     if (study.name == name) return study;
     known += (known.empty() ? "" : ", ") + study.name;
   }
@@ -38,7 +39,8 @@ const Study& study_named(const std::string& name) {
 
 int study_command(const StudyOptions& options) {
   if (options.name.empty()) {
-    for (const Study& study : catalogue()) std::printf("%-16s %s\n", study.name.c_str(), study.what.c_str());
+    for (const Study& study : validation::catalogue())
+      std::printf("%-16s %s\n", study.name.c_str(), study.what.c_str());
     return good;
   }
   Progress progress;

@@ -13,7 +13,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// 64-bit FNV-1a.
+std::string seal_of(ordered_json kept) {
+  kept.erase("seal");
+  return hash_of(kept.dump());
+}
+
+}  // namespace
+
 std::string hash_of(const std::string& text) {
   std::uint64_t sum = 0xcbf29ce484222325ULL;
   for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
@@ -21,13 +27,6 @@ std::string hash_of(const std::string& text) {
   std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(sum));
   return digits.data();
 }
-
-std::string seal_of(ordered_json kept) {
-  kept.erase("seal");
-  return hash_of(kept.dump());
-}
-
-}  // namespace
 
 void seal(ordered_json& kept) { kept["seal"] = seal_of(kept); }
 

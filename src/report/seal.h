@@ -8,6 +8,9 @@
 
 namespace furrow {
 
+// 64-bit FNV-1a of a text, sixteen hexadecimal digits.
+std::string hash_of(const std::string& text);
+
 // Writes the key "seal" over all other keys of an object.
 void seal(nlohmann::ordered_json& kept);
 

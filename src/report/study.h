@@ -1,42 +1,15 @@
-// What all studies share: independent runs side by side, kept as they end so that an interrupted study goes on where it
-// stopped, and a result that the page can show without knowing the study.
+// A study is two functions: one that measures numbers, and a chapter that makes words, tables and figures from them.
+// Words change without a run.
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
+#include <map>
 
-#include "scene/scene.h"
+#include "report/measurement.h"
 
 namespace furrow {
 
-using Json = nlohmann::ordered_json;
-
-struct Settings {
-  bool quick = false;                              // the form for every build: fewer runs, the same questions
-  std::filesystem::path directory{};               // for the result NAME.json; empty: nothing is kept
-  unsigned jobs = 1;                               // runs at a time; 1 where time is measured
-  std::function<bool(double, double)> progress{};  // (runs done, of all); false stops the study
-};
-
 // The scene of that name in validation/scenes, wherever the program stands.
 Scene scene_named(const std::string& name);
-
-// One run of a study. `key` names it among all runs of the study, its settings included; `run` must not depend on any
-// other run. What `run` throws becomes {"failed": what}: failure of a method is a result. Want of memory and errors of
-// the system or of files are none: they end the study.
-struct Task {
-  std::string key;
-  std::function<Json()> run;
-};
-
-// The results in the order of the tasks. Each is kept in directory/STUDY.runs.jsonl as soon as it is there; those that
-// the same program has left there on the same machine, for the same form of the same study, are not run again unless
-// they failed. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
-std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks);
 
 // A figure of the page: a script of validation/figures after variables and data blocks (see page/gnuplot.h).
 struct Figure {
@@ -45,6 +18,14 @@ struct Figure {
   std::string caption, description;
   Json variables = Json::object();  // name: number or text
   Json blocks = Json::object();     // name: list of rows; a row is numbers and, last, perhaps a label
+};
+
+// What the numbers bear out or not: value first, then the aim, then the mark.
+struct Claim {
+  std::string text;          // a sentence
+  std::string value, aim{};  // "3.2 times", "at least 4": what was found, what would do
+  bool holds = false;
+  bool timed = false;  // rests on measured times: cannot hold by numbers older than the solver
 };
 
 // What the page shows of a study, part by part. Cells of tables: numbers are shown with three digits, texts as they
@@ -56,26 +37,51 @@ class Report {
   Report& text(std::string text);
   Report& table(std::string caption, std::vector<std::string> head, std::vector<std::vector<Json>> rows);
   Report& figure(Figure figure);
-  // A claim of the study that its numbers bear out or not.
-  Report& claim(const std::string& text, bool holds);
+  Report& claim(Claim claim);
+  Report& claim(const std::string& text, bool holds) { return claim({.text = text, .value = "", .holds = holds}); }
   // The parts and claims of another report.
   Report& append(const Report& other);
   // What is not for the eye: all numbers behind the tables and figures.
   Report& data(Json data);
-  // With provenance: commit, compiler, flags, machine.
   Json json() const { return json_; }
 
  private:
   Json json_;
 };
 
-struct Study {
-  std::string name, what;
-  Json (*run)(const Settings& settings);
+// The numbers of all studies, each read when it is asked for.
+class Shelf {
+ public:
+  explicit Shelf(std::filesystem::path directory) : directory_(std::move(directory)) {}
+  // Of the study. Throws FileError if there are none.
+  const Numbers& of(const std::string& study) const;
+  void put(Numbers numbers);
+
+ private:
+  std::filesystem::path directory_;
+  mutable std::map<std::string, Numbers> read_;
 };
 
-// Runs the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold. Throws
+struct Study {
+  std::string name, what;
+  // Its own files that decide its numbers, by the beginning of their paths.
+  std::vector<std::string> files{};
+  void (*measure)(Measurement& measurement) = nullptr;
+  Report (*chapter)(const Shelf& shelf) = nullptr;
+  Json (*run)(const Settings& settings) = nullptr;  // of a study that still makes numbers and words at once
+
+  Sources sources() const { return that_decide(sources_of_this_program(), files); }
+};
+
+// Measures the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold. Throws
 // Interrupted.
 std::vector<std::string> run_study(const Study& study, const Settings& settings);
+
+// Makes a sample of the study's cheap kept numbers anew: what did not come out, a line each.
+struct Checked {
+  int compared = 0;
+  std::vector<std::string> wrong;
+};
+Checked check_study(const Study& study, const std::filesystem::path& directory, std::uint64_t draw, double most_cpu);
 
 }  // namespace furrow

@@ -79,11 +79,11 @@ class Process {
     return code_of(status_);
   }
 
-  // It has installed a handler for this signal.
+  // It has installed a handler for this signal; the shell that becomes it has one of its own.
   bool hears(int signal_number) const {
     const std::string status = text_of("/proc/" + std::to_string(pid_) + "/status");
     const std::size_t at = status.find("SigCgt:");
-    return at != std::string::npos &&
+    return at != std::string::npos && status.starts_with("Name:\tfurrow\n") &&
            (std::stoull(status.substr(at + 8), nullptr, 16) >> (signal_number - 1) & 1U) != 0;
   }
 

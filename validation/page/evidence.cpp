@@ -35,7 +35,7 @@ std::string unusable(const fs::path& file, const Check& check) {
   }
 }
 
-// What a study says of itself must fit its name; a study without claims claims nothing.
+// What a study that makes words itself says must fit its name; one without claims claims nothing.
 std::string unfit_study(const ordered_json& study, const std::string& name) {
   if (text_in(study, "study") != name) return "is not the study " + name;
   if (text_in(study, "form") != "full") return "is of the quick form; run: furrow study " + name;
@@ -44,6 +44,25 @@ std::string unfit_study(const ordered_json& study, const std::string& name) {
   }
   if (list_in(study, "parts").empty()) return "has nothing to show";
   return {};
+}
+
+// A chapter that cannot be made of the numbers lacks some: of an earlier form of the study, or of another study.
+std::string unfit_numbers(const Study& study, const fs::path& directory) {
+  const fs::path file = directory / (study.name + ".json");
+  const std::string again = "; run: furrow study " + study.name;
+  try {
+    const Shelf shelf(directory);
+    const Numbers& numbers = shelf.of(study.name);
+    if (numbers.study() != study.name) return file.string() + ": is not the study " + study.name;
+    if (numbers.quick()) return file.string() + ": is of the quick form" + again;
+    if (numbers.results().empty()) return file.string() + ": holds no results";
+    study.chapter(shelf);
+    return {};
+  } catch (const FileError& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    return file.string() + ": no chapter can be made of it (" + error.what() + ")" + again;
+  }
 }
 
 // Whether a check is good follows from what it says.
@@ -89,8 +108,12 @@ const std::vector<std::string>& studies_of_the_page() {
   return all;
 }
 
-std::string unusable_study(const fs::path& file) {
-  return unusable(file, [&](const ordered_json& study) { return unfit_study(study, file.stem()); });
+std::string unusable_study(const Evidence& evidence, const std::string& name) {
+  for (const Study& study : evidence.catalogue) {
+    if (study.name == name && study.chapter) return unfit_numbers(study, evidence.studies);
+  }
+  const fs::path file = evidence.studies / (name + ".json");
+  return unusable(file, [&](const ordered_json& study) { return unfit_study(study, name); });
 }
 
 std::string unusable_checks(const fs::path& file) { return unusable(file, unfit_checks); }
@@ -104,7 +127,7 @@ std::vector<std::string> missing_evidence(const Evidence& evidence) {
   if (!evidence.checks.empty()) note(unusable_checks(evidence.checks));
   if (!evidence.faults.empty()) note(unusable_faults(evidence.faults));
   if (evidence.studies.empty()) return all;
-  for (const std::string& name : studies_of_the_page()) note(unusable_study(evidence.studies / (name + ".json")));
+  for (const std::string& name : studies_of_the_page()) note(unusable_study(evidence, name));
   return all;
 }
 

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
+
+#include "report/study.h"
 
 namespace furrow::validation {
 
@@ -13,7 +14,8 @@ namespace furrow::validation {
 struct Evidence {
   std::filesystem::path checks;     // checks.json, written by the verification tests
   std::filesystem::path faults;     // faults.json, written by the fault study
-  std::filesystem::path studies{};  // directory of the results of `furrow study`
+  std::filesystem::path studies{};  // directory of the numbers of `furrow study`
+  std::vector<Study> catalogue{};   // whose chapters make the words
 };
 
 // The studies that a page shows, in the order in which a reader wants them. The first comes before the scenes: it says
@@ -21,7 +23,7 @@ struct Evidence {
 const std::vector<std::string>& studies_of_the_page();
 
 // What is wrong with a file; empty if it can be shown.
-std::string unusable_study(const std::filesystem::path& file);
+std::string unusable_study(const Evidence& evidence, const std::string& name);
 std::string unusable_checks(const std::filesystem::path& file);
 std::string unusable_faults(const std::filesystem::path& file);
 

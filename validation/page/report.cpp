@@ -104,18 +104,17 @@ void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& rep
     scenes += scene_section(run, paper, files);
   }
   const StudyPlace before = StudyPlace::before_scenes, after = StudyPlace::after_scenes;
-  files["index.html"] =
-      filled(figure_file("page.html"),
-             {{"style", figure_file("page.css")},
-              {"paper", escaped(paper.title)},
-              {"contents", contents},
-              {"scenes", scenes},
-              {"first_contents", study_contents(evidence.studies, before)},
-              {"first_study", missing_part(evidence) + study_sections(evidence.studies, before, files)},
-              {"study_contents", study_contents(evidence.studies, after)},
-              {"studies", study_sections(evidence.studies, after, files)},
-              {"verification", verification_section(evidence)},
-              {"made", how_made(runs)}});
+  files["index.html"] = filled(figure_file("page.html"),
+                               {{"style", figure_file("page.css")},
+                                {"paper", escaped(paper.title)},
+                                {"contents", contents},
+                                {"scenes", scenes},
+                                {"first_contents", study_contents(evidence, before)},
+                                {"first_study", missing_part(evidence) + study_sections(evidence, before, files)},
+                                {"study_contents", study_contents(evidence, after)},
+                                {"studies", study_sections(evidence, after, files)},
+                                {"verification", verification_section(evidence)},
+                                {"made", how_made(runs)}});
   files["scenes.md"] = scene_table(runs) + "\nWhat they do to the validity of their laws:\n\n" + validity_table(runs);
   std::vector<std::string> names;
   for (const auto& [name, text] : files) names.push_back(name);

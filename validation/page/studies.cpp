@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -16,26 +17,14 @@
 namespace furrow::validation {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 struct Result {
   std::string name;
   ordered_json json;
+  std::string age;  // HTML: when, by which commit and machine the numbers were made, and what changed since
+  bool old_times = false;
 };
-
-// Those that can be shown; what cannot is said by missing_evidence.
-std::vector<Result> results_in(const fs::path& directory, StudyPlace place_on_page) {
-  std::vector<Result> results;
-  if (directory.empty()) return results;
-  for (const std::string& name : studies_of_the_page()) {
-    const bool first = name == studies_of_the_page().front();
-    const fs::path file = directory / (name + ".json");
-    if (first != (place_on_page == StudyPlace::before_scenes) || !unusable_study(file).empty()) continue;
-    results.push_back({name, read_sealed(file)});
-  }
-  return results;
-}
 
 std::string text(const ordered_json& entry, const char* key) {
   return typeset(escaped(entry.at(key).get<std::string>()));
@@ -118,43 +107,86 @@ std::string part_of(const ordered_json& part, Drawings& drawings) {
   return figure_of(part, drawings);
 }
 
-// A study stays as it is while the solver goes on: the page says so.
+// Of a study that makes words itself.
 std::string by_which_solver(const ordered_json& json) {
-  return json.value("sources", "") == build_info().sources
-             ? " The solver's sources are those of this page's runs."
-             : " It is not shown that the solver's sources are those of this page's runs.";
+  return "commit " + text(json, "commit") + ", " + text(json, "compiler") + ", " + text(json, "machine") +
+         (json.value("sources", "") == build_info().sources
+              ? ". The solver's sources are those of this page's runs."
+              : ". It is not shown that the solver's sources are those of this page's runs.");
 }
 
-std::string claims_of(const ordered_json& claims) {
+std::string listed(const std::vector<std::string>& all, std::size_t most) {
+  std::string list;
+  for (std::size_t k = 0; k < std::min(most, all.size()); ++k) list += (k == 0 ? "" : ", ") + all[k];
+  return list + (all.size() > most ? " and " + std::to_string(all.size() - most) + " more" : "");
+}
+
+std::string words_of(const Numbers& numbers, const Age& age) {
+  std::set<std::string> machines;
+  for (const Maker& maker : numbers.makers()) machines.insert(maker.machine);
+  std::string words = std::to_string(age.results) + " results, made " + age.first.substr(0, 10) +
+                      (age.last.substr(0, 10) != age.first.substr(0, 10) ? " to " + age.last.substr(0, 10) : "") +
+                      " by commit " + listed(age.commits, 5) + " on " + listed({machines.begin(), machines.end()}, 3) +
+                      ". ";
+  if (age.old == 0) return words + "All are of today's solver.";
+  return words + std::to_string(age.old) +
+         " of them were made before these sources changed: " + listed(age.changed, 8) + ".";
+}
+
+// Those that can be shown; what cannot is said by missing_evidence.
+std::vector<Result> results_in(const Evidence& evidence, StudyPlace place_on_page) {
+  std::vector<Result> results;
+  if (evidence.studies.empty()) return results;
+  const Shelf shelf(evidence.studies);
+  for (const std::string& name : studies_of_the_page()) {
+    const bool first = name == studies_of_the_page().front();
+    if (first != (place_on_page == StudyPlace::before_scenes) || !unusable_study(evidence, name).empty()) continue;
+    const auto study = std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
+                                    [&](const Study& s) { return s.name == name && s.chapter; });
+    if (study == evidence.catalogue.end()) {
+      const ordered_json json = read_sealed(evidence.studies / (name + ".json"));
+      results.push_back({name, json, by_which_solver(json)});
+      continue;
+    }
+    const Age age = age_of(shelf.of(name), study->sources());
+    results.push_back(
+        {name, study->chapter(shelf).json(), typeset(escaped(words_of(shelf.of(name), age))), age.old_timed > 0});
+  }
+  return results;
+}
+
+// Value first, then the aim, then the sentence. Times that are older than the solver bear nothing out.
+std::string claims_of(const ordered_json& claims, bool old_times) {
   std::string rows;
   for (const ordered_json& claim : claims) {
-    rows += claim.at("holds").get<bool>() ? element("li", text(claim, "text"))
-                                          : element("li", "Does not hold: " + text(claim, "text"), "refuted");
+    const bool old = old_times && claim.value("timed", false), holds = claim.at("holds").get<bool>() && !old;
+    std::string words = claim.value("value", "").empty() ? "" : element("strong", text(claim, "value"));
+    if (!claim.value("aim", "").empty()) words += " (aim: " + text(claim, "aim") + ")";
+    words += (words.empty() ? "" : ": ") + text(claim, "text");
+    const char* mark = old ? "Not shown today, the times are older than the solver: " : "Does not hold: ";
+    rows += holds ? element("li", words) : element("li", mark + words, "refuted");
   }
   return rows.empty() ? rows : element("ul", rows, "claims");
 }
 
 }  // namespace
 
-std::string study_contents(const fs::path& directory, StudyPlace place) {
+std::string study_contents(const Evidence& evidence, StudyPlace place) {
   std::string lines;
-  for (const Result& result : results_in(directory, place)) {
+  for (const Result& result : results_in(evidence, place)) {
     lines += element("li", "<a href=\"#study_" + result.name + "\">" + text(result.json, "title") + "</a>");
   }
   return lines;
 }
 
-std::string study_sections(const fs::path& directory, StudyPlace place, Drawings& drawings) {
+std::string study_sections(const Evidence& evidence, StudyPlace place, Drawings& drawings) {
   std::string sections;
-  for (const Result& result : results_in(directory, place)) {
+  for (const Result& result : results_in(evidence, place)) {
     const ordered_json& json = result.json;
     std::string html = element("h2", text(json, "title")) + element("p", text(json, "question"), "lead");
-    html += claims_of(json.at("claims"));
+    html += claims_of(json.at("claims"), result.old_times);
     for (const ordered_json& part : json.at("parts")) html += part_of(part, drawings);
-    html += element("p",
-                    "By <code>furrow study " + result.name + "</code>, commit " + text(json, "commit") + ", " +
-                        text(json, "compiler") + ", " + text(json, "machine") + "." + by_which_solver(json),
-                    "note");
+    html += element("p", "By <code>furrow study " + result.name + "</code>: " + result.age, "note");
     sections += "<section id=\"study_" + result.name + "\">\n" + html + "</section>\n";
   }
   return sections;

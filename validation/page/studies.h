@@ -1,9 +1,9 @@
-// The page's parts about studies: whatever `furrow study` left, shown without knowing what it is about.
+// The page's parts about studies: what their chapters make of the numbers that `furrow study` left, and how old these are.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
+#include "validation/page/evidence.h"
 #include "validation/page/gnuplot.h"
 
 namespace furrow::validation {
@@ -12,7 +12,7 @@ enum class StudyPlace { before_scenes, after_scenes };
 
 // A line of the page's contents for each result, and a section for each; HTML. A result that is missing or cannot be
 // used makes none, see missing_evidence. The figures go to `drawings`. Throws std::runtime_error if gnuplot fails.
-std::string study_contents(const std::filesystem::path& directory, StudyPlace place);
-std::string study_sections(const std::filesystem::path& directory, StudyPlace place, Drawings& drawings);
+std::string study_contents(const Evidence& evidence, StudyPlace place);
+std::string study_sections(const Evidence& evidence, StudyPlace place, Drawings& drawings);
 
 }  // namespace furrow::validation

@@ -6,6 +6,7 @@
 #include "output/first_touch.h"
 #include "physics/stress.h"
 #include "report/embedded.h"
+#include "report/seal.h"
 #include "run/observe.h"
 #include "run/run.h"
 
@@ -90,6 +91,17 @@ std::vector<Reported> reported(const RunRecord& run, const Publication& paper, c
 const Publication& the_paper() {
   static const Publication paper = read_publication(embedded("validation/statements.toml"));
   return paper;
+}
+
+std::string hash_of_observed(const Scene& made, const std::string& scene) {
+  std::string asked;
+  for (const Statement& s : the_paper().statements) {
+    if (s.scene != scene) continue;
+    asked += s.id + " " + s.observable;
+    if (s.window) asked += " " + std::to_string((*s.window)[0]) + " " + std::to_string((*s.window)[1]);
+    asked += "\n";
+  }
+  return hash_of_scene(made) + "/" + hash_of(asked);
 }
 
 }  // namespace furrow::validation

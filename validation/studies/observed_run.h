@@ -1,6 +1,7 @@
 // A scene run without files, as the record that the page's observables are computed from.
 #pragma once
 
+#include "report/measurement.h"
 #include "run/prepare.h"
 #include "validation/page/observables.h"
 
@@ -20,5 +21,8 @@ std::vector<Reported> reported(const RunRecord& run, const Publication& paper, c
 
 // validation/statements.toml.
 const Publication& the_paper();
+
+// Of a scene and of what the statements ask of it, not of their words: what goes into the numbers of an observed run.
+std::string hash_of_observed(const Scene& made, const std::string& scene);
 
 }  // namespace furrow::validation

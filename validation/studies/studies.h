@@ -6,9 +6,7 @@
 namespace furrow::validation {
 
 Json geometry(const Settings& settings);
-Json convergence(const Settings& settings);
 Json ensemble(const Settings& settings);
 Json statements(const Settings& settings);
-Json outlook(const Settings& settings);
 
 }  // namespace furrow::validation

@@ -1,0 +1,26 @@
+# cmake -DOUTPUT= -DSOURCE_DIR= "-DFILES=a;b" -P write_sources.cmake
+# Writes a C++ source with a hash of each file under its name, without comments and blanks: words change no number.
+
+set(entries "")
+foreach(name IN LISTS FILES)
+  file(READ "${SOURCE_DIR}/${name}" text)
+  string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+  string(REGEX REPLACE "[ \t\n]+" " " text "${text}")
+  string(SHA256 hash "${text}")
+  string(SUBSTRING "${hash}" 0 8 hash)
+  string(APPEND entries "      {\"${name}\", \"${hash}\"},\n")
+endforeach()
+
+file(WRITE "${OUTPUT}" "// Written by cmake/write_sources.cmake; changes here are lost.
+#include \"report/sources.h\"
+
+namespace furrow {
+
+const Sources& sources_of_this_program() {
+  static const Sources all{
+${entries}  };
+  return all;
+}
+
+}  // namespace furrow
+")

@@ -1,0 +1,188 @@
+#include "report/numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <set>
+#include <stdexcept>
+
+#include "output/build_info.h"
+#include "output/files.h"
+#include "output/machine.h"
+#include "report/seal.h"
+
+namespace furrow {
+namespace {
+
+constexpr int schema = 1;  // of the file
+
+std::string now() {
+  const std::time_t seconds = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+double load_of_the_machine() {
+  double load = 0;
+  return getloadavg(&load, 1) == 1 ? load : 0;
+}
+
+Json json_of(const Maker& m) {
+  return {{"commit", m.commit},   {"when", m.when}, {"compiler", m.compiler}, {"flags", m.flags},
+          {"machine", m.machine}, {"load", m.load}, {"sources", m.sources}};
+}
+
+Maker maker_of(const Json& json) {
+  Maker m;
+  json.at("commit").get_to(m.commit);
+  json.at("when").get_to(m.when);
+  json.at("compiler").get_to(m.compiler);
+  json.at("flags").get_to(m.flags);
+  json.at("machine").get_to(m.machine);
+  json.at("load").get_to(m.load);
+  json.at("sources").get_to(m.sources);
+  return m;
+}
+
+Json json_of(const Result& r) {
+  Json json{{"key", r.key}};
+  if (!r.input.empty()) json["input"] = r.input;
+  if (r.timed) json["timed"] = true;
+  json["cpu"] = r.cpu;
+  json["maker"] = r.maker;
+  json["value"] = r.value;
+  return json;
+}
+
+Result result_of(const Json& json) {
+  return {json.at("key"), json.value("input", ""), json.value("timed", false),
+          json.at("cpu"), json.at("maker"),        json.at("value")};
+}
+
+bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
+
+}  // namespace
+
+Maker this_maker(const Sources& sources) {
+  const BuildInfo& build = build_info();
+  return {.commit = std::string(build.commit),
+          .when = now(),
+          .compiler = std::string(build.compiler),
+          .flags = std::string(build.flags),
+          .machine = processor_name(),
+          .load = load_of_the_machine(),
+          .sources = sources};
+}
+
+const Result* Numbers::find(const std::string& key) const {
+  const auto found = places_.find(key);
+  return found == places_.end() ? nullptr : &results_[found->second];
+}
+
+const Json& Numbers::at(const std::string& key) const {
+  const Result* result = find(key);
+  if (!result) throw std::out_of_range("study " + study_ + " has no result '" + key + "'");
+  return result->value;
+}
+
+void Numbers::add(Result result, const Maker& maker) {
+  const auto known = std::find_if(makers_.begin(), makers_.end(), [&](const Maker& m) { return same(m, maker); });
+  result.maker = static_cast<std::size_t>(known - makers_.begin());
+  if (known == makers_.end()) makers_.push_back(maker);
+  const auto [place, isnew] = places_.emplace(result.key, results_.size());
+  if (isnew) {
+    results_.push_back(std::move(result));
+  } else {
+    results_[place->second] = std::move(result);
+  }
+}
+
+Numbers Numbers::read(const std::filesystem::path& file) { return of(read_sealed(file), file); }
+
+Numbers Numbers::of(const Json& kept, const std::filesystem::path& file) {
+  try {
+    if (kept.at("schema") != schema)
+      throw FileError(file.string() + ": is of schema " + kept.at("schema").dump() + ", not " + std::to_string(schema));
+    Numbers numbers(kept.at("study"), kept.at("form"));
+    std::vector<Maker> makers;
+    for (const Json& maker : kept.at("makers")) makers.push_back(maker_of(maker));
+    for (const Json& result : kept.at("results")) {
+      Result one = result_of(result);
+      if (numbers.find(one.key)) throw FileError(file.string() + ": two results of the key '" + one.key + "'");
+      if (one.maker >= makers.size())
+        throw FileError(file.string() + ": '" + one.key + "' names a maker that is not there");
+      const Maker& maker = makers[one.maker];
+      numbers.add(std::move(one), maker);
+    }
+    return numbers;
+  } catch (const nlohmann::json::exception& error) {
+    throw FileError(file.string() + ": is not the numbers of a study: " + error.what());
+  }
+}
+
+bool Numbers::is_one(const std::string& study, const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  return json.is_object() && json.contains("schema") && json.contains("results") && json.value("study", "") == study;
+}
+
+Json Numbers::json() const {
+  Json all{
+      {"study", study_}, {"form", form_}, {"schema", schema}, {"makers", Json::array()}, {"results", Json::array()}};
+  for (const Maker& maker : makers_) all["makers"].push_back(json_of(maker));
+  for (const Result& result : results_) all["results"].push_back(json_of(result));
+  seal(all);
+  return all;
+}
+
+std::string Numbers::line() const { return json().dump(); }
+
+// One result a line, so that a change of one is a change of one line.
+void Numbers::write(const std::filesystem::path& file) const {
+  const Json all = json();
+  std::string text = "{";
+  for (const auto& [key, value] : all.items()) {
+    text += (key == "study" ? "" : ",\n") + Json(key).dump() + ": ";
+    if (!value.is_array()) {
+      text += value.dump();
+      continue;
+    }
+    std::string lines;
+    for (const Json& one : value) lines += (lines.empty() ? "\n" : ",\n") + one.dump();
+    text += "[" + lines + "]";
+  }
+  replace_file(file, text + "}\n");
+}
+
+Age age_of(const Numbers& numbers, const Sources& today) {
+  Age age;
+  std::set<std::string> changed;
+  std::vector<const Maker*> used;
+  for (const Maker& maker : numbers.makers()) used.push_back(&maker);
+  std::sort(used.begin(), used.end(), [](const Maker* a, const Maker* b) { return a->when < b->when; });
+  std::vector<std::vector<std::string>> since;
+  for (const Maker& maker : numbers.makers()) since.push_back(differing(maker.sources, today));
+  for (const Result& result : numbers.results()) {
+    const std::vector<std::string>& files = since.at(result.maker);
+    const bool old = !files.empty();
+    ++age.results;
+    age.old += old ? 1 : 0;
+    age.timed += result.timed ? 1 : 0;
+    age.old_timed += old && result.timed ? 1 : 0;
+    changed.insert(files.begin(), files.end());
+  }
+  age.changed.assign(changed.begin(), changed.end());
+  if (!used.empty()) {
+    age.first = used.front()->when;
+    age.last = used.back()->when;
+  }
+  for (const Maker* maker : used) {
+    if (age.commits.empty() || age.commits.back() != maker->commit) age.commits.push_back(maker->commit);
+  }
+  return age;
+}
+
+}  // namespace furrow

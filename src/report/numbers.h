@@ -1,0 +1,82 @@
+// What a study leaves: numbers only, each under a key that names it, with what made it and what it depends on. The words
+// about them are a chapter's (validation/page/chapters).
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "report/sources.h"
+
+namespace furrow {
+
+using Json = nlohmann::ordered_json;
+
+// What made results: shared by all those of one call of the program.
+struct Maker {
+  std::string commit, when, compiler, flags, machine;  // when: UTC, "2026-01-31T12:00:00Z"
+  double load = 0;                                     // of the machine when it began, processes that want to run
+  Sources sources;                                     // those that decide the numbers
+};
+
+Maker this_maker(const Sources& sources);
+
+struct Result {
+  std::string key;    // names it among all results of the study: scene, method, settings, seed
+  std::string input;  // hash of what goes into it: its scene, what is asked of it; empty if nothing does
+  bool timed = false;
+  double cpu = 0;  // s, what it took
+  std::size_t maker = 0;
+  Json value;  // {"failed": why} if the method or the scene failed: a result too
+  bool failed() const { return value.is_object() && value.contains("failed"); }
+};
+
+// The results of one form of a study.
+class Numbers {
+ public:
+  Numbers() = default;
+  Numbers(std::string study, std::string form) : study_(std::move(study)), form_(std::move(form)) {}
+  // Throws FileError if the file is missing, cut, changed by hand or of another schema.
+  static Numbers read(const std::filesystem::path& file);
+  // Of what write() or line() has written; `file` is named in errors.
+  static Numbers of(const Json& kept, const std::filesystem::path& file);
+  // Whether a text is what write() has written, whole or not: one that may be replaced.
+  static bool is_one(const std::string& study, const std::string& text);
+  void write(const std::filesystem::path& file) const;
+  // All of it in one line, sealed.
+  std::string line() const;
+
+  const std::string& study() const { return study_; }
+  bool quick() const { return form_ == "quick"; }
+  const std::string& form() const { return form_; }
+  const std::vector<Maker>& makers() const { return makers_; }
+  const std::vector<Result>& results() const { return results_; }
+
+  // Null if there is none of that key.
+  const Result* find(const std::string& key) const;
+  // The value of a result. Throws std::out_of_range that names study and key.
+  const Json& at(const std::string& key) const;
+
+  // A result that replaces one of the same key.
+  void add(Result result, const Maker& maker);
+
+ private:
+  Json json() const;
+
+  std::string study_, form_;
+  std::vector<Maker> makers_;
+  std::vector<Result> results_;
+  std::map<std::string, std::size_t> places_;
+};
+
+// How old the results are, against the sources of today.
+struct Age {
+  std::size_t results = 0, old = 0, timed = 0, old_timed = 0;
+  std::vector<std::string> changed;  // files, since the oldest results were made
+  std::string first, last;           // when the oldest and the newest results were made
+  std::vector<std::string> commits;  // of the makers of what is kept, oldest first
+};
+Age age_of(const Numbers& numbers, const Sources& today);
+
+}  // namespace furrow

@@ -1,0 +1,22 @@
+// Which sources a number depends on: a hash of each file, without comments and blanks.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace furrow {
+
+using Sources = std::map<std::string, std::string>;  // path in the project: hash
+
+// Of the solver and of the studies, as this program was built from them.
+const Sources& sources_of_this_program();
+
+// Those that decide the numbers of a study: the state path (physics, system, reference, kernel, methods, run and what
+// makes the start of a scene), and the study's own files, each given by the beginning of its path.
+Sources that_decide(const Sources& all, const std::vector<std::string>& own);
+
+// The files that are not the same in both, or are in one alone; sorted.
+std::vector<std::string> differing(const Sources& a, const Sources& b);
+
+}  // namespace furrow

@@ -1,0 +1,56 @@
+#include "benchmarks/studies/studies.h"
+#include "validation/page/chapters/chapters.h"
+#include "validation/studies/convergence.h"
+#include "validation/studies/outlook.h"
+#include "validation/studies/studies.h"
+#include "verification/studies/studies.h"
+
+namespace furrow::validation {
+namespace {
+
+// What defines the numbers that the paper reports.
+const std::vector<std::string> observing{"validation/page/observables.", "validation/page/snapshot_observables.",
+                                         "validation/page/run_record.",  "validation/studies/observed_run.",
+                                         "validation/studies/beds.",     "validation/studies/members."};
+
+std::vector<std::string> and_observing(const std::string& own) {
+  std::vector<std::string> files = observing;
+  files.push_back(own);
+  return files;
+}
+
+}  // namespace
+
+const std::vector<Study>& catalogue() {
+  static const std::vector<Study> all{
+      {.name = "order", .what = "observed order of each method on each kind of force", .run = verification::order},
+      {.name = "stability",
+       .what = "where methods fail: stable steps by theory, and the solver's own blow-up",
+       .run = verification::stability},
+      {.name = "work_precision",
+       .what = "error against evaluations and CPU time, every method on every scene",
+       .run = benchmarks::work_precision},
+      {.name = "need", .what = "terms of the model that a scene could do without", .run = benchmarks::need},
+      {.name = "geometry", .what = "which lattice and plate come closest to the paper's first scene", .run = geometry},
+      {.name = "convergence",
+       .what = "which of the paper's numbers do not depend on the time step",
+       .files = and_observing("validation/studies/convergence."),
+       .measure = measure_convergence,
+       .chapter = convergence},
+      {.name = "ensemble", .what = "the paper's numbers over many packings of the bed", .run = ensemble},
+      {.name = "statements",
+       .what = "the paper, sentence by sentence; gaps and misprints tried both ways",
+       .run = statements},
+      {.name = "outlook",
+       .what = "what the paper leaves to later: speed of the plate, size of the particles",
+       .files = and_observing("validation/studies/outlook."),
+       .measure = measure_outlook,
+       .chapter = outlook},
+      {.name = "speed",
+       .what = "what scripts/rivals and scripts/track have measured, put together for the page",
+       .run = benchmarks::speed},
+  };
+  return all;
+}
+
+}  // namespace furrow::validation

@@ -1,0 +1,15 @@
+// The chapters of the page: words, tables and figures from the numbers of studies, one file each. A chapter computes
+// nothing that needs the solver.
+#pragma once
+
+#include "report/study.h"
+
+namespace furrow::validation {
+
+// All studies with their chapters.
+const std::vector<Study>& catalogue();
+
+Report convergence(const Shelf& shelf);
+Report outlook(const Shelf& shelf);
+
+}  // namespace furrow::validation

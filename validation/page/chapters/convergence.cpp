@@ -1,0 +1,198 @@
+// Which of the numbers that the paper reports are those of its model, and which those of its time step?
+#include "validation/studies/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "output/files.h"
+#include "validation/page/chapters/chapters.h"
+
+namespace furrow::validation {
+namespace {
+
+constexpr double agreement = 0.02;  // of a number: what "the same" means where nothing is chaotic
+
+bool failed(const Numbers& results, const ConvergenceRun& one) {
+  const Json& got = results.at(one.key());
+  return !got.contains("values") || got["ended"] != "finished";
+}
+
+// NaN where the run did not get to the end, or does not say.
+double value_in(const Numbers& results, const ConvergenceRun& one, const std::string& id) {
+  if (failed(results, one)) return NAN;
+  const Json& values = results.at(one.key())["values"];
+  return values.contains(id) ? values[id].get<double>() : NAN;
+}
+
+struct Row {
+  std::string id, quantity;
+  double paper = NAN;
+};
+
+std::vector<Row> rows_of(const std::string& scene) {
+  std::vector<Row> rows{{"mean_force", "mean force [N]"}};
+  for (const Statement& s : the_paper().statements) {
+    if (s.scene == scene && s.observable != "finished")
+      rows.push_back({s.id, s.quantity + (s.unit.empty() ? "" : " [" + s.unit + "]"), s.value});
+  }
+  return rows;
+}
+
+// The coarsest step from which on every number stays within what chaos or `agreement` allows of the finest; NaN: none.
+double settled_from(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                    const std::string& id, double spread) {
+  const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
+  const double allowed = std::max(spread, agreement * std::fabs(finest));
+  double from = NAN;
+  for (auto step = plan.steps.rbegin() + 1; step != plan.steps.rend(); ++step) {
+    if (!(std::fabs(value_in(results, {c, "pece", *step}, id) - finest) <= allowed)) break;
+    from = *step;
+  }
+  for (const std::string& method : plan.others) {
+    if (!(std::fabs(value_in(results, {c, method, plan.others_step}, id) - finest) <= allowed)) return NAN;
+  }
+  return from;
+}
+
+double spread_of(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c, const std::string& id) {
+  const double base = value_in(results, {c, "pece", plan.nudged_step}, id);
+  double spread = 0;
+  for (int n = 1; n <= plan.nudged_runs; ++n)
+    spread = std::max(spread, std::fabs(value_in(results, {c, "pece", plan.nudged_step, n}, id) - base));
+  return spread;
+}
+
+std::string text_of(double step) { return number(std::round(1e7 * step) / 1e4) + " ms"; }
+
+// Whole newtons: "1135", not "1.13e+03".
+std::string rounded(double force) {
+  return force >= 100 ? std::to_string(std::lround(force)) : number(std::round(10 * force) / 10);
+}
+
+Json cell(const Numbers& results, const ConvergenceRun& one, const std::string& id) {
+  if (failed(results, one)) return "diverged";
+  const double value = value_in(results, one, id);
+  return std::isfinite(value) ? Json(value) : Json("none");
+}
+
+// Adds the table of a case; counts what does not depend on the step at the paper's.
+struct Tally {
+  int numbers = 0, settled = 0, at_papers_step = 0;
+  void add(const Tally& other) {
+    numbers += other.numbers;
+    settled += other.settled;
+    at_papers_step += other.at_papers_step;
+  }
+};
+
+Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c) {
+  std::vector<std::string> head{"number", "the paper"};
+  for (const double step : plan.steps) head.push_back("pece " + text_of(step));
+  for (const std::string& method : plan.others) head.push_back(method + " " + text_of(plan.others_step));
+  head.emplace_back("moved by a nudge");
+  head.emplace_back("does not depend on the step from");
+  std::vector<std::vector<Json>> rows;
+  Tally tally;
+  for (const Row& row : rows_of(c.scene)) {
+    const double finest = value_in(results, {c, "pece", plan.steps.back()}, row.id);
+    if (!std::isfinite(finest) && !failed(results, {c, "pece", plan.steps.back()})) continue;  // said in words
+    std::vector<Json> cells{row.quantity, std::isfinite(row.paper) ? Json(row.paper) : Json("")};
+    for (const double step : plan.steps) cells.push_back(cell(results, {c, "pece", step}, row.id));
+    for (const std::string& method : plan.others) cells.push_back(cell(results, {c, method, plan.others_step}, row.id));
+    const double spread = spread_of(results, plan, c, row.id);
+    const double from = settled_from(results, plan, c, row.id, spread);
+    cells.push_back(std::isfinite(spread) ? Json(spread) : Json("none"));
+    cells.emplace_back(std::isnan(from) ? "none tried" : text_of(from));
+    rows.push_back(cells);
+    ++tally.numbers;
+    tally.settled += std::isnan(from) ? 0 : 1;
+    tally.at_papers_step += from >= papers_step ? 1 : 0;
+  }
+  report.heading(c.title());
+  report.table("Numbers by step and method, all from the same start.", head, rows);
+  report.text(std::to_string(tally.settled) + " of these " + std::to_string(tally.numbers) +
+              " numbers do not depend on a step that is fine enough; " + std::to_string(tally.at_papers_step) +
+              " do not depend on it at the paper's step already.");
+  return tally;
+}
+
+std::string in_plain_words(const std::string& reading, const Tally& tally) {
+  const auto count = [](int n) { return std::to_string(n); };
+  std::string text = "In plain words, for " + reading + ": ";
+  if (tally.at_papers_step == tally.numbers)
+    return text + "all " + count(tally.numbers) + " numbers are settled at the paper's step: they are the model's.";
+  text += tally.settled == tally.numbers ? "all " + count(tally.numbers) + " numbers settle"
+                                         : count(tally.settled) + " of " + count(tally.numbers) + " numbers settle";
+  text += " when the step is made fine enough, and so are the model's; at the paper's step " +
+          count(tally.at_papers_step) + " are settled, the other " + count(tally.numbers - tally.at_papers_step) +
+          " depend on the step.";
+  return text;
+}
+
+Json forces_by_step(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                    const std::string& id) {
+  Json rows = Json::array();
+  for (const double step : plan.steps) {
+    const double value = value_in(results, {c, "pece", step}, id);
+    if (std::isfinite(value)) rows.push_back({1e3 * step, value});
+  }
+  return rows;
+}
+
+std::string largest_force_of(const std::string& scene) {
+  return scene == "scenario_1"   ? "first_impact"
+         : scene == "scenario_2" ? "largest_force_discs"
+                                 : "largest_force_coupled";
+}
+
+}  // namespace
+
+Report convergence(const Shelf& shelf) {
+  const Numbers& results = shelf.of("convergence");
+  const ConvergencePlan plan = convergence_plan(results.quick());
+  Report report(
+      "Are the published numbers those of the model, or of the time step?",
+      "Each scene runs from one and the same start at steps from twice the paper's to a fiftieth of it, and by other "
+      "methods. A number stands if it no longer changes when the step is made finer, by more than 2 % or than "
+      "what a nudge of 1e-9 m/s to one body at the start does to it.");
+  Report details("", "");  // of the figure
+  Json blocks = Json::object();
+  Tally all;
+  std::map<std::string, Tally> by_reading;
+  for (const ConvergenceCase& c : plan.cases) {
+    const std::string id = largest_force_of(c.scene);
+    const double at_papers = value_in(results, {c, "pece", papers_step}, id);
+    const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
+    if (std::isfinite(finest)) {
+      report.text(c.title() + (std::isfinite(at_papers)
+                                   ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
+                                         rounded(finest) + " N at " + text_of(plan.steps.back()) + "."
+                                   : ": diverges at the paper's step."));
+    }
+    const Tally tally = add_case(details, results, plan, c);
+    all.add(tally);
+    by_reading[c.scene == "scenario_1" ? "scene 1" : "scenes 2 and 3, " + to_string(c.reading) + "s"].add(tally);
+    blocks["forces_" + c.scene.substr(9) + "_" + to_string(c.reading)] =
+        forces_by_step(results, plan, c, largest_force_of(c.scene));
+  }
+  for (const auto& [reading, tally] : by_reading) report.text(in_plain_words(reading, tally));
+  if (!results.quick()) {
+    report.figure(
+        {.name = "convergence",
+         .script = "convergence.gp",
+         .caption =
+             "Largest force against the time step, by the paper's method; the paper's step is marked, its numbers "
+             "are the dotted lines. Of " +
+             std::to_string(all.numbers) + " numbers of all scenes and readings " + std::to_string(all.at_papers_step) +
+             " do not depend on the step at the paper's.",
+         .description = "Largest force on the plate against the time step for each scene and reading of the mass",
+         .blocks = blocks});
+  }
+  report.append(details);
+  report.claim("At the paper's step some of its numbers are numbers of the step, not of the model.",
+               all.at_papers_step < all.numbers);
+  return report;
+}
+
+}  // namespace furrow::validation

@@ -1,0 +1,118 @@
+// What the paper leaves to later: speed of the plate, size of the particles, spread of their sizes.
+#include "validation/studies/outlook.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "validation/page/chapters/chapters.h"
+#include "validation/studies/members.h"
+
+namespace furrow::validation {
+namespace {
+
+constexpr double students_t = 2.2;  // 97.5 % quantile, 11 degrees of freedom
+
+struct Estimate {
+  double mean = NAN, half = NAN;  // half the 95 % interval
+  Estimate(const std::string& id, const std::vector<Json>& members) {
+    const Sample sample = sample_of(id, members);
+    if (sample.numbers.size() < 2) return;
+    mean = sample.mean();
+    half = students_t * sample.deviation() / std::sqrt(static_cast<double>(sample.numbers.size()));
+  }
+  // Both to the same decimal, the second of the half interval.
+  std::string text() const {
+    if (std::isnan(mean)) return "–";
+    const int decimals = half > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(half)))) : 0;
+    const auto to = [&](double value) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
+      return std::string(digits);
+    };
+    return half > 0 ? to(mean) + " ± " + to(half) : to(mean);
+  }
+};
+
+const std::vector<std::pair<const char*, const char*>> shown{{"mean_force", "mean force [N]"},
+                                                             {"largest_force_discs", "largest force [N]"},
+                                                             {"force_ratio", "Fx to Fy"},
+                                                             {"growth_of_maxima", "growth of the maxima per 100 mm"},
+                                                             {"force_free_share", "without force [%]"}};
+
+// Over the values at which the scene runs; the others are named.
+std::string conclusion(const OutlookVariation& v, const std::vector<Estimate>& force) {
+  std::vector<std::size_t> ran;
+  std::string failed;
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    if (std::isnan(force[k].mean)) {
+      failed += (failed.empty() ? "" : ", ") + three_digits(v.values[k]);
+    } else {
+      ran.push_back(k);
+    }
+  }
+  const auto at = [&](std::size_t k) { return force[k].text() + " N at " + three_digits(v.values[k]) + " " + v.unit; };
+  std::string text = v.what + ": ";
+  if (ran.size() > 1) {
+    const Estimate &first = force[ran.front()], &last = force[ran.back()];
+    const bool differs = std::fabs(first.mean - last.mean) > std::hypot(first.half, last.half);
+    text += std::string("the mean force ") +
+            (differs ? "goes from " : "does not change by more than the packings do: ") + at(ran.front()) +
+            (differs ? " to " : ", ") + at(ran.back()) + ".";
+  }
+  return text + (failed.empty() ? "" : " No packing runs to its end at " + failed + " " + v.unit + ".");
+}
+
+}  // namespace
+
+Report outlook(const Shelf& shelf) {
+  const Numbers& numbers = shelf.of("outlook");
+  const int members = outlook_packings(numbers.quick());
+  Report report("Speed of the plate, size of the particles",
+                "The paper leaves the effect of speed and of sizes of particles to later. What do they do to the force "
+                "in its second scene?");
+  Json blocks = Json::object();
+  std::size_t failed = 0;
+  std::string why;
+  for (const OutlookVariation& variation : outlook_variations()) {
+    std::vector<std::string> head{variation.what + " [" + variation.unit + "]"};
+    for (const auto& [id, title] : shown) head.emplace_back(title);
+    std::vector<std::vector<Json>> rows;
+    std::vector<Estimate> force;
+    for (const double value : variation.values) {
+      std::vector<Json> list;
+      for (int packing = 0; packing < members; ++packing)
+        list.push_back(numbers.at(outlook_key(variation, value, packing)));
+      for (const Json& one : list) {
+        if (!one.contains("failed")) continue;
+        if (++failed == 1) why = one["failed"].get<std::string>();
+      }
+      std::vector<Json> row{value};
+      for (const auto& [id, title] : shown) row.emplace_back(Estimate(id, list).text());
+      rows.push_back(row);
+      force.emplace_back("mean_force", list);
+      if (!std::isnan(force.back().mean))
+        blocks[variation.name].push_back({value, force.back().mean, force.back().half,
+                                          Estimate("largest_force_discs", list).mean,
+                                          Estimate("largest_force_discs", list).half});
+    }
+    report.text(conclusion(variation, force));
+    report.table(variation.what + ", " + std::to_string(members) +
+                     " packings each; mean and half its 95 % interval. –: no packing runs to its end.",
+                 head, rows);
+  }
+  if (!numbers.quick()) {
+    report.figure({.name = "outlook",
+                   .script = "outlook.gp",
+                   .caption = "Mean and largest force on the plate over its way of 450 mm, mean over " +
+                              std::to_string(members) + " packings with its 95 % interval.",
+                   .description = "Force on the plate against its speed, the radius of particles and their spread",
+                   .blocks = blocks});
+  }
+  report.claim("Every run came to its end." +
+                   (failed == 0 ? "" : " " + std::to_string(failed) + " did not; the first: " + why + "."),
+               failed == 0);
+  return report;
+}
+
+}  // namespace furrow::validation
