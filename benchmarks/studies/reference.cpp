@@ -13,20 +13,6 @@ constexpr double nudge = 1e-12;        // of each position
 constexpr double short_step = 2.5e-5;  // s: inside the stability limit of every case
 constexpr std::array<double, 3> limits{1e-9, 1e-6, 1e-3};
 
-Json json_of(const Outcome& o) {
-  return {{"place", o.place}, {"force", o.force}, {"reach", o.reach}, {"torn", o.torn}, {"evaluations", o.evaluations}};
-}
-
-Outcome outcome_of(const Json& json) {
-  Outcome o;
-  o.place = json.at("place").get<std::vector<double>>();
-  o.force = json.at("force").get<std::vector<double>>();
-  o.reach = json.at("reach").get<std::vector<double>>();
-  o.torn = json.at("torn");
-  o.evaluations = json.at("evaluations");
-  return o;
-}
-
 Outcome complete_run(const Case& scene, const Effort& effort) {
   Outcome outcome = run_case(scene, effort);
   if (!outcome.failure.empty()) throw Divergence("reference by " + effort.method + ": " + outcome.failure);
@@ -41,18 +27,12 @@ double distance_of(const State& a, const State& b, int numbers) {
 
 }  // namespace
 
-Json reference_runs(const CaseInfo& info, const Case& scene) {
+Reference make_reference(const CaseInfo& info, const Case& scene) {
   const Outcome fine =
       complete_run(scene, {.method = "rk4", .step = info.reference_step, .locate = info.reference_locate});
   const Outcome unlike = complete_run(
       scene, {.method = info.other, .step = info.other_step, .tolerance = 1e-10, .locate = info.reference_locate});
-  return {{"fine", json_of(fine)}, {"other", info.other}, {"unlike", json_of(unlike)}};
-}
-
-Reference reference_from(const Json& runs) {
-  Reference reference{outcome_of(runs.at("fine")), runs.at("other"), {}};
-  reference.disagreement = error_of(outcome_of(runs.at("unlike")), reference.outcome);
-  return reference;
+  return {fine, info.other, error_of(unlike, fine)};
 }
 
 Json predictability(const CaseInfo& info, const Case& scene) {

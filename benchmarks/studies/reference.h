@@ -2,7 +2,7 @@
 #pragma once
 
 #include "benchmarks/studies/measured_run.h"
-#include "report/study.h"
+#include "report/numbers.h"
 
 namespace furrow::benchmarks {
 
@@ -14,10 +14,8 @@ struct Reference {
   Error floor() const { return {10 * disagreement.place, 10 * disagreement.force}; }
 };
 
-// What rk4 and the case's other method make of it. Throws Divergence if one of them does
-// not come to the end.
-Json reference_runs(const CaseInfo& info, const Case& scene);
-Reference reference_from(const Json& runs);
+// By rk4 and the case's other method. Throws Divergence if one of them does not come to the end.
+Reference make_reference(const CaseInfo& info, const Case& scene);
 
 // A run and one whose start is off by 1e-12 of each position, by the paper's method with short steps: seconds from the
 // start until they differ by more than 1e-9, 1e-6, 1e-3 of how far bodies got (null: never), and by how much the

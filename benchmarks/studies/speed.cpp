@@ -1,154 +1,60 @@
-// What scripts/rivals, scripts/track and scripts/scale have measured, put together for the page. Nothing is measured
-// here: times are taken by these alone, in turn with what they are compared with.
 #include "benchmarks/studies/speed.h"
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <vector>
 
-#include "benchmarks/studies/studies.h"
 #include "output/files.h"
 
 namespace furrow::benchmarks {
 namespace {
 
-std::ifstream opened(const char* name, const char* made_by) {
-  std::ifstream file(speed_results / name);
-  if (!file) throw FileError("no " + (speed_results / name).string() + " in this directory; " + made_by + " makes it");
-  return file;
+namespace fs = std::filesystem;
+
+const fs::path results = "benchmarks/results";
+
+std::string text_in(const Json& object, const char* key) {
+  return object.is_object() && object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : "";
 }
 
-// Google Benchmark's report of the kernel with vectors of one width; null if it has not been measured.
-Json kernel_report(const std::string& width) {
-  std::ifstream file(speed_results / ("kernel_" + width + ".json"));
-  return file ? Json::parse(file) : Json();
+// Who measured it, as far as the file says; a file that does not say of which sources it is is older than any.
+Maker maker_of(const Json& report) {
+  const Json context = report.value("context", Json::object());
+  Maker maker{
+      .commit = text_in(context, "commit"), .when = text_in(context, "date"), .machine = text_in(context, "machine")};
+  if (maker.commit.empty()) maker.commit = report.value("commit", "unknown");
+  if (maker.machine.empty() && context.contains("num_cpus"))
+    maker.machine = context["num_cpus"].dump() + " processors of " + context.at("mhz_per_cpu").dump() + " MHz";
+  if (context.contains("load_avg") && !context["load_avg"].empty()) maker.load = context["load_avg"][0];
+  if (context.contains("sources")) maker.sources = Json::parse(text_in(context, "sources")).get<Sources>();
+  return maker;
 }
 
-// Median CPU time of a contact, by what is measured. ns
-std::map<std::string, double> contact_times(const Json& report) {
-  std::map<std::string, double> times;
-  if (report.is_null()) return times;
-  for (const Json& b : report.at("benchmarks")) {
-    const std::string name = b.at("run_name");
-    if (b.value("aggregate_name", "") == "median")
-      times[name.substr(0, name.find('/'))] = 1e9 * b.at("s/contact").get<double>();
-  }
-  return times;
-}
-
-// What the arithmetic of a contact takes at least, with the widest vectors that have been measured.
-std::string widest_bound() {
-  for (const std::string width : {"avx512", "avx2", "none"}) {
-    const auto times = contact_times(kernel_report(width));
-    if (times.contains("bound"))
-      return " The arithmetic of a contact takes at least " + in_digits(times.at("bound"), 3) +
-             " ns there (vectors: " + width + "; see below).";
-  }
-  return {};
-}
-
-void add_rivals(Report& report, const Json& rivals) {
-  std::vector<std::vector<Json>> rows;
-  Json dots = Json::array();
-  const Json *pece = nullptr, *best = nullptr;  // best: of those that agree, furrow left out
-  for (const Json& program : rivals.at("benchmarks")) {
-    const bool ran = !program.value("error_occurred", false);
-    if (ran && program.value("aggregate_name", "") != "median") continue;
-    const Json& name = program.at("run_name");
-    const bool own = name.get<std::string>().rfind("furrow", 0) == 0, agrees = program.value("agrees", false);
-    rows.push_back({name, program.at("label"), ran ? program.at("cpu_time") : Json("failed"),
-                    ran ? Json(spread(program.at("ratio"))) : Json(),
-                    ran ? Json(1e9 * program.at("s/contact").get<double>()) : Json(), program.value("height", Json()),
-                    program.value("push", Json()), agrees ? "yes" : "no: not ranked"});
-    if (!ran) continue;
-    const Json& ratio = program.at("ratio");
-    dots.push_back({ratio[0], ratio[1], ratio[2], own ? 0 : agrees ? 1 : 2, name});
-    if (own && program.at("evaluations") == 2) pece = &program;
-    if (!own && agrees && (best == nullptr || ratio[1] < (*best)["ratio"][1])) best = &program;
-  }
-  const Json& context = rivals.at("context");
-  report.heading("Other programs on the same scene");
-  report.text("The second scene with what every program can express: " + context.at("discs").dump() +
-              " discs that furrow has settled, E = 2e7 Pa, restitution 0.5, friction with history, no rolling, steps "
-              "of 1e-4 s. A program agrees if after half a second at rest its bed is as high as furrow's within " +
-              in_digits(1e3 * context.at("height_tolerance").get<double>(), 3) +
-              " mm, and its mean push on the plate is " + in_digits(context.at("push").get<double>(), 3) +
-              " N within " + in_digits(context.at("push_tolerance").get<double>(), 3) +
-              " N, four standard deviations of furrow's own runs from starts that differ by 1e-9 m. Each program is "
-              "run in turn with the others, on one thread of " +
-              context.at("machine").get<std::string>() +
-              "; what it needs to start is taken off. Time a contact is that of a step over its evaluations and the " +
-              in_digits(context.at("contacts").get<double>(), 3) + " contacts that touch on average." + widest_bound());
-  report.table(
-      "CPU time of a step over that of furrow with one evaluation a step: median and its 95 % interval",
-      {"program", "contact law", "us a step", "CPU time, ratio", "ns a contact", "height [m]", "push [N]", "agrees"},
-      rows);
-  report.figure(
-      {.name = "speed_rivals",
-       .script = "speed.gp",
-       .caption = "CPU time of a step over that of furrow with one evaluation a step; lines are 95 % intervals of the "
-                  "median. Open marks: programs that do not agree.",
-       .description = "CPU time of other programs on the same scene, as ratio to furrow",
-       .variables = {{"count", dots.size()}},
-       .blocks = {{"dots", dots}}});
-  if (best == nullptr || pece == nullptr) {
-    report.claim("A rival agrees with furrow on the physics.", false);
-    return;
-  }
-  const double over = (*best)["ratio"][1].get<double>() / pece->at("ratio")[1].get<double>();
-  report.claim("The fastest rival that agrees, " + (*best)["run_name"].get<std::string>() + ", takes " +
-                   in_digits((*best)["ratio"][1].get<double>(), 3) +
-                   " times the CPU time of furrow with one evaluation a step, and " + in_digits(over, 3) +
-                   " times that of the paper's method with its two.",
-               (*best)["ratio"][0].get<double>() > 1);
-  report.claim(
-      "The paper's method, with two evaluations a step, takes a quarter of the CPU time of the fastest rival or less.",
-      over >= 4);
-}
-
-void add_limit(Report& report) {
-  std::vector<std::vector<Json>> rows;
-  double all_over = 0;
-  std::string machines;
-  for (const char* width : {"none", "avx2", "avx512"}) {
-    const Json measured = kernel_report(width);
-    const auto times = contact_times(measured);
-    if (times.size() < 3) continue;
-    name_also(machines, measured);
-    const double bound = times.at("bound"), law = times.at("law"), whole = times.at("pairs_law_and_sums");
-    all_over = whole / bound;
-    rows.push_back({width, bound, law, whole, law / bound, whole / bound});
-  }
-  if (rows.empty()) return not_measured(report, "the machine's limit", "scripts/rivals");
-  report.heading("How close to the machine's limit");
-  report.text(
-      "How fast could any program be here? A contact cannot do without two square roots, one division and some sixty "
-      "other operations: a loop over these alone, in the first-level cache, is the machine's limit. Beside it the "
-      "kernel's own loops: the contact law, from overlap and velocities to forces and torques, and all of a contact's "
-      "work, with the gathering of pairs of discs and their springs before it and the summing of forces behind it, "
-      "which no vector speeds up as much. The law alone lies below the limit, for the distance, with a root and the "
-      "division, is found while pairs are gathered.");
-  report.table("CPU time of a contact in ns, median of nine, by the vectors that the kernel may use; " + machines,
-               {"vectors", "limit [ns]", "law [ns]", "all [ns]", "law over limit", "all over limit"}, rows);
-  report.claim("With the widest vectors all of a contact's work takes no more than 2.5 times the machine's limit.",
-               all_over <= 2.5);
+Json value_in(const fs::path& file) {
+  std::ifstream stream(file);
+  if (file.extension() == ".json") return Json::parse(stream);
+  Json lines = Json::array();
+  for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+  return lines;
 }
 
 }  // namespace
 
-Json speed(const Settings& /*settings*/) {
-  Report report("Speed",
-                "How fast is furrow beside other programs on the same scene and beside the machine's limit, where does "
-                "the time go, up to how many discs, and from commit to commit?");
-  std::ifstream file = opened("rivals.json", "scripts/rivals");
-  const Json rivals = Json::parse(file);
-  add_rivals(report, rivals);
-  add_limit(report);
-  add_profile(report);
-  add_scale(report);
-  add_tracking(report);
-  return report.data({{"rivals", rivals}}).json();
+void measure_speed(Measurement& measurement) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(results)) {
+    for (const auto& entry : fs::directory_iterator(results)) files.push_back(entry.path());
+  }
+  if (files.empty())
+    throw FileError("no results in " + results.string() +
+                    " of this directory; scripts/rivals, scripts/track and "
+                    "scripts/scale make them");
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    const Json value = value_in(file);
+    const Json& newest = value.is_array() ? value.back() : value;
+    measurement.take({.key = file.filename(), .timed = true, .value = value}, maker_of(newest));
+  }
 }
 
 }  // namespace furrow::benchmarks

@@ -1,29 +1,13 @@
-// Parts of the study speed that are about furrow alone; each adds nothing where its script has left no result.
+// What scripts/rivals, scripts/track and scripts/scale have measured. Nothing is measured here: times are taken by these
+// alone, in turn with what they are compared with.
 #pragma once
 
-#include <filesystem>
-#include <string>
-
-#include "report/study.h"
+#include "report/measurement.h"
 
 namespace furrow::benchmarks {
 
-inline const std::filesystem::path speed_results = "benchmarks/results";
-
-void add_profile(Report& report);
-void add_scale(Report& report);
-void add_tracking(Report& report);
-
-// Adds where a report of Google Benchmark was measured, if it is not there yet: the rows of a table may be of several
-// machines.
-void name_also(std::string& machines, const Json& google);
-
-// What the page should show and nobody measured is a claim that does not hold.
-void not_measured(Report& report, const std::string& what, const std::string& by);
-
-std::string in_digits(double value, int digits);
-
-// Of least, middle and most: "1.6 [1.56, 1.72]".
-std::string spread(const Json& three);
+// One result for each file of benchmarks/results, under the file's name; of the list of commits, track.jsonl, an array.
+// Each is as old as its file says; throws FileError if there is none at all.
+void measure_speed(Measurement& measurement);
 
 }  // namespace furrow::benchmarks

@@ -88,9 +88,9 @@ double nominal_evaluations(const MethodInfo& method, const Case& scene, double s
   return (scene.span.end() - scene.span.start) / step * method.evaluations;
 }
 
-double rounded(double value) {
+double rounded(double value, int digits = 6) {
   if (value == 0 || !std::isfinite(value)) return value;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(value))) - 5);
+  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1 - digits);
   return std::round(value / unit) * unit;
 }
 
@@ -132,41 +132,41 @@ WorkPrecisionCurve measure_curve(const Variant& variant, const CaseInfo& info, c
   return method_curve;
 }
 
+// A point is [setting, evaluations, error of the places, of the force, CPU time in the middle, least, most], or [setting,
+// evaluations, why it failed].
 Json json_of(const WorkPrecisionCurve& method_curve) {
   Json points = Json::array();
   for (const WorkPrecisionPoint& p : method_curve.points) {
-    Json one = {{"setting", rounded(p.setting)}, {"evaluations", rounded(p.evaluations)}};
+    Json one{rounded(p.setting), rounded(p.evaluations)};
     if (p.failure.empty()) {
-      one.update({{"place", rounded(p.error.place)},
-                  {"force", rounded(p.error.force)},
-                  {"cpu", rounded(p.cpu)},
-                  {"cpu_least", rounded(p.cpu_least)},
-                  {"cpu_most", rounded(p.cpu_most)}});
+      for (const double value : {p.error.place, p.error.force, p.cpu, p.cpu_least, p.cpu_most})
+        one.push_back(rounded(value, 4));
     } else {
-      one["failed"] = p.failure;
+      one.push_back(p.failure);
     }
     points.push_back(one);
   }
-  Json json = {{"method", method_curve.method}, {"locate", static_cast<int>(method_curve.locate)}, {"points", points}};
-  if (!method_curve.left_out.empty()) json["left_out"] = method_curve.left_out;
-  return json;
+  if (!method_curve.left_out.empty()) return {{"left_out", method_curve.left_out}};
+  return {{"points", points}};
 }
 
-WorkPrecisionCurve curve_from(const Json& json) {
-  if (json.contains("failed")) throw std::runtime_error(json.at("failed").get<std::string>());
-  WorkPrecisionCurve method_curve{.method = json.at("method"),
-                                  .locate = static_cast<Locate>(json.at("locate").get<int>()),
-                                  .left_out = json.value("left_out", "")};
-  for (const Json& p : json.at("points")) {
-    WorkPrecisionPoint point{
-        .setting = p.at("setting"), .evaluations = p.at("evaluations"), .failure = p.value("failed", "")};
-    point.error = {p.value("place", 0.0), p.value("force", 0.0)};
-    point.cpu = p.value("cpu", 0.0);
-    point.cpu_least = p.value("cpu_least", 0.0);
-    point.cpu_most = p.value("cpu_most", 0.0);
-    method_curve.points.push_back(point);
+WorkPrecisionCurve curve_from(const Variant& variant, const Json& json) {
+  WorkPrecisionCurve curve{.method = variant.method.name,
+                           .locate = variant.locate,
+                           .left_out = json.value("left_out", json.value("failed", ""))};
+  for (const Json& p : json.value("points", Json::array())) {
+    WorkPrecisionPoint point{.setting = p.at(0), .evaluations = p.at(1)};
+    if (p.at(2).is_string()) {
+      point.failure = p.at(2);
+    } else {
+      point.error = {p.at(2), p.at(3)};
+      point.cpu = p.at(4);
+      point.cpu_least = p.at(5);
+      point.cpu_most = p.at(6);
+    }
+    curve.points.push_back(point);
   }
-  return method_curve;
+  return curve;
 }
 
 double cost_at(const WorkPrecisionCurve& method_curve, double error, bool by_force, double WorkPrecisionPoint::*cost) {

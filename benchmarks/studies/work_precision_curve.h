@@ -34,7 +34,8 @@ WorkPrecisionCurve measure_curve(const Variant& variant, const CaseInfo& info, c
                                  const Reference& reference);
 
 Json json_of(const WorkPrecisionCurve& method_curve);
-WorkPrecisionCurve curve_from(const Json& json);
+// Of one that failed as a whole: left out, for that reason.
+WorkPrecisionCurve curve_from(const Variant& variant, const Json& json);
 
 // Cost at an error that the method keeps with every finer setting that was tried: between two points along the straight
 // line in logarithms. NaN if it does not get there.

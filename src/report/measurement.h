@@ -46,7 +46,10 @@ class Measurement {
   // did not fail. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
   virtual std::vector<Json> run(const std::vector<Task>& tasks);
 
-  // All that run() has returned, in that order.
+  // A result that others have measured, with what they say of how.
+  void take(Result result, const Maker& maker) { numbers_.add(std::move(result), maker); }
+
+  // All that run() has returned and what was taken, in that order.
   const Numbers& numbers() const { return numbers_; }
 
  protected:

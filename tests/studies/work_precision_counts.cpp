@@ -36,7 +36,7 @@ double count(const std::string& name, const std::string& method, double step, do
 
 benchmarks::Reference reference(const std::string& name) {
   const CaseInfo info = info_of(name);
-  return benchmarks::reference_from(benchmarks::reference_runs(info, make_case(info)));
+  return benchmarks::make_reference(info, make_case(info));
 }
 
 TEST(WorkPrecision, ReferencesAreClosedForms) {

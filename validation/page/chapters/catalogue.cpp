@@ -1,4 +1,6 @@
-#include "benchmarks/studies/studies.h"
+#include "benchmarks/studies/need.h"
+#include "benchmarks/studies/speed.h"
+#include "benchmarks/studies/work_precision.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/studies/convergence.h"
 #include "validation/studies/outlook.h"
@@ -29,8 +31,15 @@ const std::vector<Study>& catalogue() {
        .run = verification::stability},
       {.name = "work_precision",
        .what = "error against evaluations and CPU time, every method on every scene",
-       .run = benchmarks::work_precision},
-      {.name = "need", .what = "terms of the model that a scene could do without", .run = benchmarks::need},
+       .files = {"benchmarks/studies/work_precision", "benchmarks/studies/reference.",
+                 "benchmarks/studies/measured_run.", "src/report/cases.", "src/report/linearise."},
+       .measure = benchmarks::measure_work_precision,
+       .chapter = work_precision},
+      {.name = "need",
+       .what = "terms of the model that a scene could do without",
+       .files = {"benchmarks/studies/need", "benchmarks/studies/measured_run.", "src/report/cases."},
+       .measure = benchmarks::measure_need,
+       .chapter = need},
       {.name = "geometry", .what = "which lattice and plate come closest to the paper's first scene", .run = geometry},
       {.name = "convergence",
        .what = "which of the paper's numbers do not depend on the time step",
@@ -48,7 +57,8 @@ const std::vector<Study>& catalogue() {
        .chapter = outlook},
       {.name = "speed",
        .what = "what scripts/rivals and scripts/track have measured, put together for the page",
-       .run = benchmarks::speed},
+       .measure = benchmarks::measure_speed,
+       .chapter = speed},
   };
   return all;
 }

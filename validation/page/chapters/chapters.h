@@ -11,5 +11,8 @@ const std::vector<Study>& catalogue();
 
 Report convergence(const Shelf& shelf);
 Report outlook(const Shelf& shelf);
+Report work_precision(const Shelf& shelf);
+Report need(const Shelf& shelf);
+Report speed(const Shelf& shelf);
 
 }  // namespace furrow::validation

@@ -1,12 +1,14 @@
-#include "benchmarks/studies/precision_chart.h"
+#include "validation/page/chapters/precision_chart.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 
-namespace furrow::benchmarks {
+namespace furrow::validation {
 namespace {
+
+using namespace benchmarks;
 
 constexpr double useless = 1;  // an error as large as what happens
 constexpr std::array<double WorkPrecisionPoint::*, 2> costs{&WorkPrecisionPoint::evaluations, &WorkPrecisionPoint::cpu};
@@ -152,4 +154,4 @@ Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurv
   return figure;
 }
 
-}  // namespace furrow::benchmarks
+}  // namespace furrow::validation

@@ -1,19 +1,15 @@
+// Of furrow alone: where the instructions go, and how many discs.
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <set>
 
-#include "benchmarks/studies/speed.h"
+#include "validation/page/chapters/speed_parts.h"
 
-namespace furrow::benchmarks {
-namespace {
-
-Json read_if_there(const std::string& name) {
-  std::ifstream file(speed_results / name);
-  return file ? Json::parse(file) : Json();
+namespace furrow::validation {
+Json measured(const Numbers& numbers, const std::string& file) {
+  const Result* result = numbers.find(file);
+  return result ? result->value : Json();
 }
-
-}  // namespace
 
 std::string in_digits(double value, int digits) {
   char text[32];
@@ -48,8 +44,8 @@ void not_measured(Report& report, const std::string& what, const std::string& by
 
 // ---- where the instructions go: scripts/track --profile ----
 
-void add_profile(Report& report) {
-  const Json profile = read_if_there("profile.json");
+void add_profile(Report& report, const Numbers& numbers) {
+  const Json profile = measured(numbers, "profile.json");
   if (profile.is_null()) return not_measured(report, "where the instructions go", "scripts/track --profile");
   const Json& scenes = profile.at("scenes");
   std::vector<std::vector<Json>> rows;
@@ -121,15 +117,15 @@ Json gain_of(const std::map<std::string, Json>& entries, const std::string& name
 
 }  // namespace
 
-void add_scale(Report& report) {
+void add_scale(Report& report, const Numbers& numbers) {
   std::vector<std::vector<Json>> times, makings;
   std::string timed_on, made_on;
   double least = 0, most = 0;  // ns a disc
   Json gain;                   // of two threads, in the largest bed
   for (const char* discs : {"2300", "23000", "230000", "1000000"}) {
-    const Json timing = read_if_there(std::string("scale_") + discs + ".json");
+    const Json timing = measured(numbers, std::string("scale_") + discs + ".json");
     const auto timed = entries_of(timing);
-    const auto random = entries_of(read_if_there(std::string("scale_random_") + discs + ".json"));
+    const auto random = entries_of(measured(numbers, std::string("scale_random_") + discs + ".json"));
     if (!timed.empty()) {
       name_also(timed_on, timing);
       const Json evaluation = value_of(timed, "evaluation", "s/disc", 1e9);
@@ -145,7 +141,7 @@ void add_scale(Report& report) {
         if (least == 0) least = most;
       }
     }
-    const Json making = read_if_there(std::string("scale_making_") + discs + ".json");
+    const Json making = measured(numbers, std::string("scale_making_") + discs + ".json");
     const auto made = entries_of(making);
     if (made.empty()) continue;
     name_also(made_on, making);
@@ -177,104 +173,22 @@ void add_scale(Report& report) {
         makings);
   }
   if (times.size() < 4) return;
-  report.claim(
-      "From cache to memory the time of a disc stays within a factor 1.5: an evaluation of a million discs takes " +
-          in_digits(most / least, 2) + " times as long a disc as one of 2,300.",
-      most / least <= 1.5);
-  report.claim("A million discs: at least 20 million disc-evaluations a second on one thread, " +
-                   in_digits(1e3 / most, 3) + " million.",
-               1e3 / most >= 20);
+  report.claim({.text = "From cache to memory: time of a disc in an evaluation of a million over that in one of 2,300.",
+                .value = in_digits(most / least, 2) + " times",
+                .aim = "at most 1.5",
+                .holds = most / least <= 1.5,
+                .timed = true});
+  report.claim({.text = "Disc-evaluations a second of a million discs on one thread.",
+                .value = in_digits(1e3 / most, 3) + " million",
+                .aim = "at least 20 million",
+                .holds = 1e3 / most >= 20,
+                .timed = true});
   if (gain.is_number())
-    report.claim("Two threads are at least 1.8 times as fast in an evaluation of a million discs: " +
-                     in_digits(gain.get<double>(), 3) + " times.",
-                 gain.get<double>() >= 1.8);
+    report.claim({.text = "Two threads in an evaluation of a million discs, times as fast as one.",
+                  .value = in_digits(gain.get<double>(), 3) + " times",
+                  .aim = "at least 1.8",
+                  .holds = gain.get<double>() >= 1.8,
+                  .timed = true});
 }
 
-// ---- from commit to commit: scripts/track ----
-
-namespace {
-
-const Json* kernel_of(const Json& line, const std::string& name) {
-  for (const Json& kernel : line.at("benchmarks")) {
-    if (kernel.at("run_name") == name) return &kernel;
-  }
-  return nullptr;
-}
-
-// Instructions of each kernel over those of its first line, in percent, commit by commit.
-Figure trend_of(const std::vector<Json>& lines) {
-  Figure figure{.name = "speed_trend",
-                .script = "speed_trend.gp",
-                .caption =
-                    "Instructions of each kernel, commit by commit, over those of the first commit followed. Dashed: 2 "
-                    "%, what CI lets pass without a reason.",
-                .description = "Change of instruction counts of each kernel from commit to commit"};
-  Json points = Json::array();
-  int panel = 0;
-  for (const Json& kernel : lines.back().at("benchmarks")) {
-    const std::string name = kernel.at("run_name");
-    figure.variables["kernel_" + std::to_string(panel)] = name;
-    double first = 0;
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-      const Json* entry = kernel_of(lines[k], name);
-      if (entry == nullptr) continue;
-      const double count = entry->at("instructions");
-      if (first == 0) first = count;
-      points.push_back({panel, k, 100 * (count / first - 1)});
-    }
-    ++panel;
-  }
-  figure.variables["panels"] = panel;
-  figure.variables["commits"] = lines.size();
-  figure.variables["first_commit"] = lines.front().at("commit");
-  figure.variables["last_commit"] = lines.back().at("commit");
-  figure.blocks["points"] = points;
-  return figure;
-}
-
-}  // namespace
-
-void add_tracking(Report& report) {
-  std::ifstream file(speed_results / "track.jsonl");
-  std::vector<Json> lines;
-  for (std::string line; std::getline(file, line);) lines.push_back(Json::parse(line));
-  if (lines.empty()) return not_measured(report, "any commit", "scripts/track");
-  constexpr std::size_t shown = 4;  // commits in the table
-  const Json& last = lines.back();
-  std::vector<std::string> head{"kernel"};
-  for (std::size_t k = lines.size() - std::min(shown, lines.size()); k < lines.size(); ++k)
-    head.push_back(lines[k].at("commit").get<std::string>() + " [M]");
-  head.insert(head.end(), {"ns a call", "over its base", "noise floor [%]", "error [m]", "verdict"});
-  std::vector<std::vector<Json>> rows;
-  std::set<std::string> verdicts;
-  for (const Json& kernel : last.at("benchmarks")) {
-    const std::string name = kernel.at("run_name");
-    std::vector<Json> row{name};
-    for (std::size_t k = lines.size() - std::min(shown, lines.size()); k < lines.size(); ++k) {
-      const Json* entry = kernel_of(lines[k], name);
-      row.push_back(entry ? Json(entry->at("instructions").get<double>() / 1e6) : Json());
-    }
-    const bool compared = kernel.contains("ratio");
-    row.push_back(kernel.at("cpu_time"));
-    row.push_back(compared ? Json(spread(kernel["ratio"])) : Json());
-    row.push_back(compared ? Json(100 * kernel["noise"].get<double>()) : Json());
-    row.emplace_back(kernel.at("error").is_null() ? "-" : in_digits(kernel["error"], 2));
-    row.push_back(kernel.at("verdict"));
-    rows.push_back(row);
-  }
-  report.heading("From commit to commit");
-  report.text(
-      "Fixed kernels, built for x86-64-v3. Each line of benchmarks/results/track.jsonl is one commit on one machine, "
-      "run in turn with its base commit: the ratio of CPU time is the median and its 95 % interval, the noise floor is "
-      "how far the base differs from itself. Faster or slower is said only where the whole interval lies beyond "
-      "that floor. The answer of each kernel is the same to the bit, or it is not compared. Last: " +
-      last.at("commit").get<std::string>() + " over " + last.at("base").get<std::string>() + ", " +
-      last.at("context").at("machine").get<std::string>() + ".");
-  if (lines.size() > 1) report.figure(trend_of(lines));
-  report.table(
-      "Millions of instructions of each kernel by commit, counted by callgrind; of the last commit the time of a call, "
-      "that over its base, and what the method got wrong",
-      head, rows);
-}
-
-}  // namespace furrow::benchmarks
+}  // namespace furrow::validation

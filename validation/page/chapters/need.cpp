@@ -1,0 +1,185 @@
+// Which terms of the model could each scene do without, and what would that save?
+#include "benchmarks/studies/need.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "validation/page/chapters/chapters.h"
+
+namespace furrow::validation {
+namespace {
+
+using namespace benchmarks;
+
+struct Moments {
+  double mean = 0, spread = 0;  // standard deviation of one
+};
+
+Moments moments(const std::vector<double>& values) {
+  Moments m;
+  const double n = static_cast<double>(values.size());
+  for (const double v : values) m.mean += v / n;
+  for (const double v : values) m.spread += (v - m.mean) * (v - m.mean) / std::max(1.0, n - 1);
+  m.spread = std::sqrt(m.spread);
+  return m;
+}
+
+using Values = std::array<double, 6>;  // by observable
+
+Values values_in(const Json& json) {
+  Values values{};
+  for (std::size_t o = 0; o < values.size(); ++o) values[o] = json.at(o).is_null() ? NAN : json.at(o).get<double>();
+  return values;
+}
+
+// One packing: 1 % of the observable, and no link more or less. More: what another packing of the same discs does,
+// since no one arranges them; a force curve has then to be as far off as two packings are.
+Values tolerances(const Numbers& numbers, const Subject& subject) {
+  Values t{0.01, 0.01, 0.01, 0.01, 0.5, 0.01};
+  if (subject.packings < 2) return t;
+  for (const int o : {largest, mean, work, torn}) {
+    std::vector<double> values;
+    for (int k = 0; k < subject.packings; ++k)
+      values.push_back(values_in(numbers.at(whole_key(subject, k)).at("values"))[o]);
+    const Moments m = moments(values);
+    t[o] = std::max(t[o], o == torn ? m.spread : m.spread / m.mean);
+  }
+  t[curve] = moments(numbers.at(between_key(subject)).get<std::vector<double>>()).mean;
+  t[place] = NAN;  // of discs that stand elsewhere
+  return t;
+}
+
+std::string percent(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(),
+                std::fabs(value) < 1e-4  ? "%.1g %%"
+                : std::fabs(value) < 0.1 ? "%.2f %%"
+                                         : "%.0f %%",
+                100 * value);
+  return std::isnan(value) ? "–" : value == 0 ? "0" : text.data();
+}
+
+std::string amount(int observable, double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%+.3g", value);
+  return observable != torn ? percent(value) : std::isnan(value) ? "–" : value == 0 ? "0" : text.data();
+}
+
+// Forces only where there is a plate, torn links where there is a lattice.
+bool is_shown(const Subject& subject, std::size_t observable) {
+  const Scene scene = subject.scene();
+  if (observable == torn) return !scene.lattice.empty();
+  return observable == place || !scene.plate.empty();
+}
+
+struct Verdict {
+  std::vector<Json> row;
+  bool needed = false, certain = true;
+};
+
+// A term for which nothing can be compared is not judged, which is not to say that it is not needed.
+Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& term, const Values& tolerance) {
+  Verdict v{.row = {term.name}};
+  std::array<std::vector<double>, 6> effects;
+  std::vector<double> cost;
+  for (int k = 0; k < subject.packings; ++k) {
+    const Json& run = numbers.at(without_key(subject, term, k));
+    if (run.contains("failed")) {
+      v.needed = true;
+      v.row.emplace_back("the scene does not run without: " + run["failed"].get<std::string>());
+      return v;
+    }
+    const Values e = values_in(run.at("effects"));
+    for (std::size_t o = 0; o < e.size(); ++o) effects[o].push_back(e[o]);
+    cost.push_back(numbers.at(cost_key(subject, term, k)).get<double>());
+  }
+  std::string which;
+  int compared = 0;
+  for (std::size_t o = 0; o < effects.size(); ++o) {
+    const Moments m = moments(effects[o]);
+    const double doubt = m.spread / std::sqrt(static_cast<double>(effects[o].size()));
+    if (is_shown(subject, o))
+      v.row.emplace_back(amount(static_cast<int>(o), m.mean) +
+                         (doubt > 0 ? " ± " + amount(static_cast<int>(o), doubt) : ""));
+    if (std::isnan(tolerance[o]) || std::isnan(m.mean) || !is_shown(subject, o)) continue;
+    ++compared;
+    if (std::fabs(m.mean) > tolerance[o]) which += (which.empty() ? "" : ", ") + std::string(observables[o]);
+    v.certain = v.certain && std::fabs(std::fabs(m.mean) - tolerance[o]) >= doubt;
+  }
+  v.needed = !which.empty() || compared == 0;
+  v.row.emplace_back(percent(1 - moments(cost).mean));
+  v.row.emplace_back(compared == 0 ? "not judged: nothing to compare"
+                                   : (v.needed ? "needed: " + which : std::string("not needed")) +
+                                         (v.certain ? "" : " (not certain)"));
+  return v;
+}
+
+void add_subject(Report& report, const Numbers& numbers, const Subject& subject) {
+  report.heading(subject.name);
+  std::vector<std::string> head{"without"};
+  std::vector<Json> limit{"tolerance"};
+  const Values tolerance = tolerances(numbers, subject);
+  for (std::size_t o = 0; o < observables.size(); ++o) {
+    if (!is_shown(subject, o)) continue;
+    head.emplace_back(observables[o]);
+    limit.emplace_back(amount(static_cast<int>(o), tolerance[o]));
+  }
+  head.insert(head.end(), {"CPU saved", "so"});
+  std::vector<std::vector<Json>> rows{limit};
+  std::string spare;
+  for (const Term& term : terms_of(subject)) {
+    const Verdict v = verdict_on(numbers, subject, term, tolerance);
+    rows.push_back(v.row);
+    if (!v.needed) spare += (spare.empty() ? "" : "; ") + term.name + (v.certain ? "" : " (not certain)");
+  }
+  report.table("Change against the whole model" +
+                   std::string(subject.packings > 1 ? ", mean over packings ± its standard error" : ""),
+               head, rows);
+  report.text(spare.empty() ? "No term is shown to be of no need." : "Not needed: " + spare + ".");
+}
+
+void add_ledger_claim(Report& report, const Numbers& numbers, const std::vector<Subject>& all) {
+  int same = 0, compared = 0;
+  for (const Subject& subject : all) {
+    for (const Term& term : terms_of(subject)) {
+      if (term.name != "energy ledger") continue;
+      for (int k = 0; k < subject.packings; ++k, ++compared)
+        same += numbers.at(without_key(subject, term, k)).value("same", false) ? 1 : 0;
+    }
+  }
+  report.claim({.text = "Without the energy ledger every scene gives the same forces and positions to the last bit.",
+                .value = std::to_string(same) + " of " + std::to_string(compared) + " runs",
+                .aim = "all",
+                .holds = same == compared && compared > 0});
+}
+
+}  // namespace
+
+Report need(const Shelf& shelf) {
+  const Numbers& numbers = shelf.of("need");
+  const std::vector<Subject> all = subjects(numbers.quick());
+  Report report("No more than a scene needs",
+                "Which terms of the model could each scene do without, and what would that save?");
+  report.text(
+      "One term at a time is switched off in the scene, which is then settled and run as before. Largest and mean "
+      "force on the plate, and its work, are compared as fractions of the whole model's; force curve and final "
+      "positions "
+      "by the root mean square of the difference over that of the force, or of how far bodies get. Tolerance: 1 % and "
+      "half a link; for beds of discs what another random packing of them changes (standard deviation over the "
+      "packings, "
+      "for the curve the mean difference of two), since no one arranges the discs. Positions of discs are then shown, "
+      "not judged. Runs by rk4 with a step below every stability limit, so that the chatter of the paper's step is not "
+      "mistaken for an effect. CPU saved is of the run, without settling.");
+  report.text(
+      "A scene cannot express: discs that rub but do not turn, since the tangential spring acts at the surface of a "
+      "disc and spins exist where friction does; a tangential spring without its Coulomb limit. Gravity and the "
+      "damping of contacts cannot be left out of a bed: without them it never settles. What a scene leaves out "
+      "already, and so cannot be switched off, is what furrow explain lists.");
+  for (const Subject& subject : all) add_subject(report, numbers, subject);
+  add_ledger_claim(report, numbers, all);
+  return report;
+}
+
+}  // namespace furrow::validation

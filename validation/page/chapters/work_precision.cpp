@@ -1,0 +1,144 @@
+// What does accuracy cost, and which method gives it for least? Error against evaluations and CPU time, every method on
+// every case.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/precision_chart.h"
+#include "validation/page/chapters/work_precision_found.h"
+
+namespace furrow::validation {
+namespace {
+
+using namespace benchmarks;
+
+constexpr std::array<double, 3> targets{1e-2, 1e-4, 1e-6};
+
+std::string shown(double value, const char* pattern = "%.2g") {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), pattern, value);
+  return text.data();
+}
+
+Json number_or_dash(double value) { return std::isnan(value) ? Json("–") : Json(value); }
+
+// ---- what is shown ----
+
+void add_gains(Report& report, const std::vector<Found>& all) {
+  std::vector<std::vector<Json>> rows;
+  for (const Found& f : all) {
+    const WorkPrecisionPoint* paper = paper_point(f);
+    std::vector<std::pair<std::string, double>> asked;
+    if (paper)
+      asked.emplace_back(shown(paper->error_by(f.info.by_force)) + ", the paper's", paper->error_by(f.info.by_force));
+    for (const double target : targets) asked.emplace_back(shown(target), target);
+    for (const auto& [words, error] : asked) {
+      std::vector<Json> row{f.info.name, words};
+      for (const auto cost : {&WorkPrecisionPoint::evaluations, &WorkPrecisionPoint::cpu}) {
+        const bool blind = error < floor_of(f);
+        const Cheapest best = blind ? Cheapest{} : cheapest_at(f, error, cost);
+        const double own = paper && error == paper->error_by(f.info.by_force)
+                               ? paper->*cost
+                               : cost_at(paper_curve(f), error, f.info.by_force, cost);
+        row.emplace_back(blind ? "not resolved" : best.method.empty() ? "none" : best.method);
+        row.push_back(number_or_dash(best.cost));
+        row.push_back(number_or_dash(own / best.cost));
+      }
+      rows.push_back(row);
+    }
+  }
+  report.table(
+      "The cheapest method at an error, and how many times dearer the paper's method is there. At the paper's "
+      "own error that is the paper's setting, pece at 1e-4 s. A method must keep the error with every finer "
+      "setting; costs between two settings are read off the straight line in logarithms. Not resolved: below what the "
+      "references can distinguish.",
+      {"scene", "error", "fewest evaluations", "evaluations", "gain", "least CPU", "CPU [s]", "gain"}, rows);
+}
+
+// Why no method with a bounded stable interval can be much cheaper: of the fixed-step methods Euler's covers most of
+// the negative real axis an evaluation, 2 (see the stability study; Hairer and Wanner, Solving Ordinary Differential
+// Equations II, section IV.2).
+void add_bound(Report& report, const Found& f, double papers) {
+  if (!f.fastest.is_number()) return;
+  const double fastest = f.fastest, least = fastest * (f.info.span.end() - f.info.span.start) / 2;
+  report.text(f.info.name + ": why not. The fastest decay where the chart begins is " + shown(fastest) +
+              " 1/s, by the spectrum. No method here but rkc covers more than 2 of the negative real axis an "
+              "evaluation, so that the others need " +
+              shown(least) + " evaluations to stay stable at all, " + shown(100 * least / papers, "%.0f") +
+              " % of the paper's. rkc covers more, but starts again at every touch and slip.");
+}
+
+void add_paper(Report& report, const Found& f) {
+  const WorkPrecisionPoint* paper = paper_point(f);
+  if (!paper) {
+    report.claim(f.info.name + ": the paper's setting comes to the end", false);
+    return;
+  }
+  const double error = paper->error_by(f.info.by_force);
+  const Cheapest by_count = cheapest_at(f, error, &WorkPrecisionPoint::evaluations);
+  const Cheapest by_cpu = cheapest_at(f, error, &WorkPrecisionPoint::cpu);
+  const double count = by_count.cost / paper->evaluations;
+  const double cpu = by_cpu.cost / paper->cpu;
+  const bool third = count <= 1.0 / 3 && cpu <= 1.0 / 3;
+  report.claim({.text = f.info.name + ": the paper's error of " + shown(error) + " is reached by " + by_count.method +
+                        " at that share of the evaluations of the paper's setting, by " + by_cpu.method +
+                        " in that share of its CPU time.",
+                .value = shown(100 * count, "%.1f") + " % and " + shown(100 * cpu, "%.1f") + " %",
+                .aim = "at most a third",
+                .holds = third,
+                .timed = true});
+  if (!third) add_bound(report, f, paper->evaluations);
+}
+
+// By method the finest setting that failed, and one failure in full.
+void add_failures(Report& report, const Found& f) {
+  std::string left_out, failed, example;
+  for (const WorkPrecisionCurve& l : f.method_curves) {
+    if (!l.left_out.empty()) left_out += " " + l.name() + " is left out: " + l.left_out + ".";
+    const auto finest = std::find_if(l.points.rbegin(), l.points.rend(),
+                                     [](const WorkPrecisionPoint& p) { return !p.failure.empty(); });
+    if (finest == l.points.rend()) continue;
+    failed += (failed.empty() ? "" : ", ") + l.name() + " " + shown(finest->setting);
+    if (example.empty()) example = l.name() + " at " + shown(finest->setting) + ": " + finest->failure;
+  }
+  if (!failed.empty())
+    report.text("Finest step (of controlled methods: tolerance) that failed: " + failed + ". The first of them, " +
+                example + ".");
+  if (!left_out.empty()) report.text("Not run:" + left_out);
+}
+
+}  // namespace
+
+Report work_precision(const Shelf& shelf) {
+  const Numbers& numbers = shelf.of("work_precision");
+  std::vector<Found> all;
+  for (const CaseInfo& info : work_precision_cases(numbers.quick())) all.push_back(found_in(numbers, info));
+  Report report("Work against precision", "What does accuracy cost, and which method gives it for least?");
+  for (const Found& f : all) add_paper(report, f);
+  report.text(
+      "Error: of the force on the plate at equally spaced times, root mean square over that of the force, for the "
+      "paper's scenes; of the positions of all bodies at the end, root mean square over that of how far each got "
+      "from its start, for the others. Where contacts open or links tear, errors depend on how steps fall on "
+      "events: then root mean squares over three neighbouring steps. Cost: evaluations of the right-hand side, "
+      "which repeat to the digit, and CPU seconds on one thread, median and spread of three to nine runs. All "
+      "methods run through the same loop, with the same jump after each step, samples, and no energy ledger. The "
+      "jump evaluates the contacts once more and is not counted among the evaluations: a method with many cheap "
+      "steps pays for it in CPU time. +t: tears are located within the step; +e: so are touches, slips and forces held "
+      "at zero, and steps behind a "
+      "touch are graded; what that costs is counted. Tried with the own methods.");
+  add_gains(report, all);
+  for (const Found& f : all) {
+    report.heading(f.info.name + ": " + f.info.title);
+    const WorkPrecisionPoint* paper = paper_point(f);
+    report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper));
+    add_failures(report, f);
+  }
+  add_references(report, all);
+  add_predictability(report, all);
+  return report;
+}
+
+}  // namespace furrow::validation

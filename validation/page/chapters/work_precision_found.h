@@ -1,0 +1,36 @@
+// What is kept of a case of the work-precision study, and what follows from it.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "benchmarks/studies/work_precision.h"
+#include "report/study.h"
+
+namespace furrow::validation {
+
+struct Found {
+  CaseInfo info;
+  Json reference, foretold, fastest;
+  std::vector<benchmarks::WorkPrecisionCurve> method_curves;
+};
+Found found_in(const Numbers& numbers, const CaseInfo& info);
+
+struct Cheapest {
+  std::string method;
+  double cost = NAN;
+};
+Cheapest cheapest_at(const Found& found, double error, double benchmarks::WorkPrecisionPoint::*cost);
+
+const benchmarks::WorkPrecisionCurve& paper_curve(const Found& found);
+
+// The paper's method at the paper's step, or nothing if that failed.
+const benchmarks::WorkPrecisionPoint* paper_point(const Found& found);
+
+// The references do not distinguish errors below. NaN if one of them failed.
+double floor_of(const Found& found);
+
+void add_references(Report& report, const std::vector<Found>& all);
+void add_predictability(Report& report, const std::vector<Found>& all);
+
+}  // namespace furrow::validation
