@@ -7,6 +7,7 @@
 #include <memory>
 #include <string_view>
 
+#include "benchmarks/measuring/made_by.h"
 #include "kernel/loops.h"
 #include "kernel/wide.h"
 #include "output/machine.h"
@@ -191,6 +192,7 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark(("pairs_law_and_sums/" + width).c_str(), whole);
   benchmark::Initialize(&argc, argv);
   benchmark::AddCustomContext("machine", furrow::processor_name());
+  benchmark::AddCustomContext("made_by", furrow::benchmarks::made_by().dump());
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;

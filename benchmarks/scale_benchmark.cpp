@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "benchmarks/measuring/made_by.h"
 #include "benchmarks/tracking/kernels.h"
 #include "kernel/kernel.h"
 #include "methods/method.h"
@@ -231,6 +232,7 @@ int main(int argc, char** argv) {
   add("settling", settling, sizes, true);
   benchmark::Initialize(&argc, argv);
   benchmark::AddCustomContext("machine", furrow::processor_name());
+  benchmark::AddCustomContext("made_by", furrow::benchmarks::made_by().dump());
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "benchmarks/measuring/made_by.h"
 #include "benchmarks/measuring/samples.h"
 #include "benchmarks/rivals/rivals.h"
 #include "output/build_info.h"
@@ -243,7 +244,8 @@ int compare(const fs::path& decks, const fs::path& work, const fs::path& program
     }
   }
   Json json{{"context",
-             {{"machine", furrow::processor_name()},
+             {{"made_by", furrow::benchmarks::made_by()},
+              {"machine", furrow::processor_name()},
               {"compiler", furrow::build_info().compiler},
               {"flags", furrow::build_info().flags},
               {"contacts", rounded(contacts)},

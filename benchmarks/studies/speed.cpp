@@ -17,16 +17,19 @@ std::string text_in(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : "";
 }
 
-// Who measured it, as far as the file says; a file that does not say of which sources it is is older than any.
-Maker maker_of(const Json& report) {
+// Who measured it, as far as the file says; one that does not say of which sources it is is older than any.
+Maker maker_in(const Json& report) {
   const Json context = report.value("context", Json::object());
-  Maker maker{
-      .commit = text_in(context, "commit"), .when = text_in(context, "date"), .machine = text_in(context, "machine")};
-  if (maker.commit.empty()) maker.commit = report.value("commit", "unknown");
+  if (context.contains("made_by")) {
+    const Json& by = context["made_by"];  // Google Benchmark keeps texts only
+    return maker_of(by.is_string() ? Json::parse(by.get<std::string>()) : by);
+  }
+  Maker maker{.commit = report.value("commit", "unknown"),
+              .when = text_in(context, "date"),
+              .machine = text_in(context, "machine")};
   if (maker.machine.empty() && context.contains("num_cpus"))
     maker.machine = context["num_cpus"].dump() + " processors of " + context.at("mhz_per_cpu").dump() + " MHz";
   if (context.contains("load_avg") && !context["load_avg"].empty()) maker.load = context["load_avg"][0];
-  if (context.contains("sources")) maker.sources = Json::parse(text_in(context, "sources")).get<Sources>();
   return maker;
 }
 
@@ -53,7 +56,7 @@ void measure_speed(Measurement& measurement) {
   for (const fs::path& file : files) {
     const Json value = value_in(file);
     const Json& newest = value.is_array() ? value.back() : value;
-    measurement.take({.key = file.filename(), .timed = true, .value = value}, maker_of(newest));
+    measurement.take({.key = file.filename(), .timed = true, .value = value}, maker_in(newest));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "benchmarks/measuring/made_by.h"
 #include "benchmarks/measuring/samples.h"
 #include "output/machine.h"
 
@@ -97,7 +98,8 @@ int compare(const Build& build, const Build& base, int rounds) {
   make_beds(build);
   const Json now = counted(build), before = counted(base);
   Json line{{"context",
-             {{"machine", processor_name()},
+             {{"made_by", made_by()},
+              {"machine", processor_name()},
               {"num_cpus", std::thread::hardware_concurrency()},
               {"compiler", now.front().at("compiler")},
               {"flags", now.front().at("flags")}}},

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "benchmarks/measuring/made_by.h"
 #include "output/files.h"
 
 namespace furrow::benchmarks {
@@ -165,11 +166,9 @@ int profile(const Build& build, const fs::path& result) {
   const std::vector<std::string> names{"scenario_3", "scenario_2", "scenario_1"};  // the longest first
   const Json said = counted(build, names);
   const Json run = read(build.beds / "runs/scenario_1/run.json");
-  Json json{{"commit", run.at("commit")},
-            {"compiler", run.at("compiler")},
-            {"flags", run.at("flags")},
-            {"counted_with", identity(said.front())},
-            {"scenes", Json::array()}};
+  Json json{{"context", {{"made_by", made_by()}}},    {"commit", run.at("commit")},
+            {"compiler", run.at("compiler")},         {"flags", run.at("flags")},
+            {"counted_with", identity(said.front())}, {"scenes", Json::array()}};
   for (const std::string name : {"scenario_1", "scenario_2", "scenario_3"}) {
     json["scenes"].push_back(scene_profile(build, name, said.at(name)));
     show(json["scenes"].back());

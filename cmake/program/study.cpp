@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "output/build_info.h"
 #include "program/progress.h"
 #include "program/usage.h"
 #include "program_with_all.h"
@@ -17,8 +18,11 @@ struct StudyOptions {
   std::string name;  // empty: list the studies
   std::string directory = "studies";
   bool quick = false;
-  unsigned jobs = 0;  // 0: as many as there are processors
-  bool few = false;   // of the ensemble: a few packings, compared with the kept result in `directory`
+  unsigned jobs = 0;    // 0: as many as there are processors
+  bool few = false;     // of the ensemble: a few packings, compared with the kept result in `directory`
+  bool anew = false;    // nothing that is kept is taken
+  bool status = false;  // how old the kept numbers are
+  bool check = false;   // a sample of the kept numbers made again
 };
 
 struct GoldenRequest {
@@ -37,7 +41,56 @@ const Study& study_named(const std::string& name) {
   throw std::invalid_argument("no study '" + name + "'; there are " + known);
 }
 
+std::vector<const Study*> studies_asked_for(const StudyOptions& options) {
+  std::vector<const Study*> all;
+  for (const Study& study : validation::catalogue()) {
+    if (options.name.empty() || options.name == study.name) all.push_back(&study);
+  }
+  if (all.empty()) study_named(options.name);
+  return all;
+}
+
+std::string date(const std::string& when) { return when.substr(0, 10); }
+
+// One line a study: how many numbers, how many of them were made before a source changed that decides them.
+int status_command(const StudyOptions& options) {
+  std::printf("%-16s %8s %6s %12s %12s  %s\n", "study", "numbers", "old", "first", "last", "changed since");
+  for (const Study* study : studies_asked_for(options)) {
+    const std::filesystem::path file = std::filesystem::path(options.directory) / (study->name + ".json");
+    if (!std::filesystem::exists(file)) {
+      std::printf("%-16s missing\n", study->name.c_str());
+      continue;
+    }
+    const Age age = age_of(Numbers::read(file), study->sources());
+    std::string changed;
+    for (const std::string& one : age.changed) changed += (changed.empty() ? "" : " ") + one;
+    std::printf("%-16s %8zu %6zu %12s %12s  %s\n", study->name.c_str(), age.results, age.old, date(age.first).c_str(),
+                date(age.last).c_str(), changed.c_str());
+  }
+  return good;
+}
+
+// The draw is another one with each commit.
+int check_command(const StudyOptions& options) {
+  constexpr double most_cpu = 10;  // s a study
+  int status = good;
+  for (const Study* study : studies_asked_for(options)) {
+    const Checked checked =
+        check_study(*study, options.directory, std::hash<std::string_view>{}(build_info().commit), most_cpu);
+    std::printf("%-16s %d numbers made again, %zu do not come out\n", study->name.c_str(), checked.compared,
+                checked.wrong.size());
+    for (const std::string& wrong : checked.wrong) std::printf("  %s\n", wrong.c_str());
+    if (!checked.wrong.empty()) {
+      status = check_failed;
+      std::printf("  make them again by: furrow study %s --out %s\n", study->name.c_str(), options.directory.c_str());
+    }
+  }
+  return status;
+}
+
 int study_command(const StudyOptions& options) {
+  if (options.status) return status_command(options);
+  if (options.check) return check_command(options);
   if (options.name.empty()) {
     for (const Study& study : validation::catalogue())
       std::printf("%-16s %s\n", study.name.c_str(), study.what.c_str());
@@ -45,6 +98,7 @@ int study_command(const StudyOptions& options) {
   }
   Progress progress;
   Settings settings{.quick = options.quick, .directory = options.directory};
+  settings.anew = options.anew;
   settings.jobs = options.jobs > 0 ? options.jobs : processors();
   settings.progress = [&](double done, double total) { return progress.show(options.name, "running", done, total); };
   if (options.few) {
@@ -82,6 +136,9 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
   };
   auto* study = add_study_options(app.add_subcommand("study", "run a study; without a name: list the studies"));
   study->add_option("name", studied.name, "name of the study")->type_name("");
+  study->add_flag("--anew", studied.anew, "make all numbers, those too that are kept and not old");
+  study->add_flag("--status", studied.status, "how old the numbers in --out are, and what changed since; runs nothing");
+  study->add_flag("--check", studied.check, "make a sample of the cheap numbers in --out again and compare");
   auto* ensemble = add_study_options(app.add_subcommand("ensemble", "the scenes over many packings"));
   ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
   auto* statements = add_study_options(app.add_subcommand("statements", "the paper's statements, each judged"));

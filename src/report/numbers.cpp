@@ -31,23 +31,6 @@ double load_of_the_machine() {
   return getloadavg(&load, 1) == 1 ? load : 0;
 }
 
-Json json_of(const Maker& m) {
-  return {{"commit", m.commit},   {"when", m.when}, {"compiler", m.compiler}, {"flags", m.flags},
-          {"machine", m.machine}, {"load", m.load}, {"sources", m.sources}};
-}
-
-Maker maker_of(const Json& json) {
-  Maker m;
-  json.at("commit").get_to(m.commit);
-  json.at("when").get_to(m.when);
-  json.at("compiler").get_to(m.compiler);
-  json.at("flags").get_to(m.flags);
-  json.at("machine").get_to(m.machine);
-  json.at("load").get_to(m.load);
-  json.at("sources").get_to(m.sources);
-  return m;
-}
-
 Json json_of(const Result& r) {
   Json json{{"key", r.key}};
   if (!r.input.empty()) json["input"] = r.input;
@@ -66,6 +49,23 @@ Result result_of(const Json& json) {
 bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
 
 }  // namespace
+
+Json json_of(const Maker& m) {
+  return {{"commit", m.commit},   {"when", m.when}, {"compiler", m.compiler}, {"flags", m.flags},
+          {"machine", m.machine}, {"load", m.load}, {"sources", m.sources}};
+}
+
+Maker maker_of(const Json& json) {
+  Maker m;
+  json.at("commit").get_to(m.commit);
+  json.at("when").get_to(m.when);
+  json.at("compiler").get_to(m.compiler);
+  json.at("flags").get_to(m.flags);
+  json.at("machine").get_to(m.machine);
+  json.at("load").get_to(m.load);
+  json.at("sources").get_to(m.sources);
+  return m;
+}
 
 Maker this_maker(const Sources& sources) {
   const BuildInfo& build = build_info();

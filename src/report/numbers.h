@@ -21,6 +21,8 @@ struct Maker {
 };
 
 Maker this_maker(const Sources& sources);
+Json json_of(const Maker& maker);
+Maker maker_of(const Json& json);
 
 struct Result {
   std::string key;    // names it among all results of the study: scene, method, settings, seed
