@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <random>
 
 #include "validation/studies/kept_ensemble.h"
@@ -32,35 +31,12 @@ double strangeness(const std::vector<Json>& members, const Norm& norm) {
   return most;
 }
 
-const std::vector<Change>& changes() {
-  static const std::vector<Change> all = [] {
-    std::vector<Change> list;
-    for (const double factor : {0.5, 0.8, 1.25, 2.0}) {
-      list.push_back({"stiffness", factor, [](Scene& s, double f) {
-                        for (Material& m : s.material) {
-                          if (m.young) *m.young *= f;
-                          if (m.shear) *m.shear *= f;
-                        }
-                      }});
-      list.push_back({"friction", factor, [](Scene& s, double f) { s.contact.friction *= f; }});
-      list.push_back({"damping", factor, [](Scene& s, double f) { *s.contact.damping_factor *= f; }});
-    }
-    return list;
-  }();
-  return all;
-}
-
-Json run_changed(const Change& change, int member) {
-  Scene scene = paper_scene("scenario_2", Reading::disc, 201 + static_cast<std::uint64_t>(member));
-  change.apply(scene, change.factor);
-  return observed(scene, "scenario_2");
-}
-
 double alarm_rate(const std::vector<Json>& members, const Norm& norm, int draws) {
   std::mt19937_64 random(1);
   std::vector<Json> order;
-  std::copy_if(members.begin(), members.end(), std::back_inserter(order),
-               [](const Json& member) { return !member.contains("failed"); });
+  for (const Json& member : members) {
+    if (!member.contains("failed")) order.push_back(only(few_observables, member));
+  }
   if (order.size() < few) return 1;
   int alarms = 0;
   for (int k = 0; k < draws; ++k) {
@@ -79,11 +55,10 @@ bool check_few(const Settings& settings, const std::function<void(const std::str
   const Norm norm = norm_of(list);
   std::vector<Task> tasks;
   for (std::uint64_t seed = 101; seed < 101 + few; ++seed)
-    tasks.push_back({"few " + std::to_string(seed),
-                     [seed] { return observed(paper_scene("scenario_2", Reading::disc, seed), "scenario_2"); }});
+    tasks.push_back(Member{"scenario_2", Reading::disc, seed}.task());
   Settings running = settings;
   running.directory.clear();
-  const std::vector<Json> got = run_tasks("few", running, tasks);
+  const std::vector<Json> got = Measurement("few", running, {}).run(tasks);
   for (std::size_t k = 0; k < few_observables.size(); ++k)
     say(few_observables[k] + ": " + three_digits(sample_of(few_observables[k], got).mean()) + ", ensemble " +
         three_digits(norm.mean[k]) + " with standard deviation " + three_digits(norm.deviation[k]));

@@ -2,15 +2,14 @@
 // move bits on purpose, so that the golden outputs cannot judge them.
 #pragma once
 
-#include "validation/studies/members.h"
+#include "validation/studies/ensemble.h"
 
 namespace furrow::validation {
 
 inline constexpr int few = 5;           // members that are run
 inline constexpr double few_limit = 4;  // standard errors that the mean of a few may lie from the ensemble's
-inline const std::vector<std::string> few_observables{"surface", "mean_force", "largest_force_discs", "force_ratio"};
 
-// Of the ensemble: mean and standard deviation of each observable.
+// Of the ensemble: mean and standard deviation of each of few_observables.
 struct Norm {
   std::vector<double> mean, deviation;
 };
@@ -19,16 +18,6 @@ Norm norm_of(const std::vector<Json>& ensemble);
 // The largest distance of the few members' means from the norm, in their standard errors; infinite if a member or the
 // norm does not say.
 double strangeness(const std::vector<Json>& members, const Norm& norm);
-
-// Runs for the smallest change that a few members notice, and the table made of them.
-struct Change {
-  std::string what;
-  double factor;
-  void (*apply)(Scene&, double factor);
-};
-const std::vector<Change>& changes();
-inline constexpr int changed_members = 8;
-Json run_changed(const Change& change, int member);
 
 // How often `few` of the members that came to their end, drawn at random (seeded, without replacement), look strange; 1
 // if there are fewer. A member that does not come to its end is no matter of chance: it is counted separately.

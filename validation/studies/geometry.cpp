@@ -1,34 +1,22 @@
-// What geometry was it? The paper leaves open the spacing of the lattice, the height of the plate, the radius in the
-// contact of node and plate, and three rules. Scene 1 runs in milliseconds, so many settings are tried, the best of
-// them are refined, and each of the paper's numbers for this scene is asked for the setting that comes nearest to it
-// alone.
+#include "validation/studies/geometry.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdio>
+#include <cstdlib>
 #include <random>
 
+#include "report/seal.h"
+#include "report/study.h"
 #include "validation/studies/observed_run.h"
-#include "validation/studies/studies.h"
 
 namespace furrow::validation {
 namespace {
 
 constexpr int lattice_rows = 10;
+constexpr double never = 5;  // misfit of what does not happen, in units: no single miss shall outweigh all else
 
-struct Setting {
-  double spacing = 0.01;         // m
-  double depth = 0.025;          // m, of the plate's lower edge below the highest row
-  double contact_radius = 0.01;  // m
-  bool full_damper = false, magnitude = false;
-
-  Json json() const {
-    return {{"spacing", spacing},
-            {"depth", depth},
-            {"contact_radius", contact_radius},
-            {"damper", full_damper ? "full" : "axial"},
-            {"tear", magnitude ? "magnitude" : "tension"}};
-  }
-};
+// ---- one setting ----
 
 Scene scene_of(const Setting& s, const Scene& paper) {
   Scene scene = paper;
@@ -44,52 +32,56 @@ Scene scene_of(const Setting& s, const Scene& paper) {
   return scene;
 }
 
-// What the paper says of scene 1, each with how far off counts as one: a tenth of a force, 2 mm of a place. The place
-// of the first torn link is one or not at all.
-struct Target {
-  std::string id, quantity;
-  double want, unit_of_misfit;
-  bool at_most;
-};
-
-const std::vector<Target>& targets() {
-  static const std::vector<Target> all{{"first_impact", "first impact [N]", 238, 23.8, false},
-                                       {"free_flight_begins", "free flight from [mm]", 40, 2, false},
-                                       {"free_flight_ends", "free flight to [mm]", 47, 2, false},
-                                       {"second_contact_fx", "second contact, Fx [N]", 50, 5, false},
-                                       {"second_contact_fy", "second contact, Fy [N]", 150, 15, false},
-                                       {"first_structural_tear", "first structural tear by [mm]", 54, 2, true},
-                                       {"fixed_links_torn", "all links to fixed nodes torn by [mm]", 116, 2, true}};
-  return all;
+double four_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return std::strtod(text, nullptr);
 }
 
-constexpr double never = 5;  // misfit of what does not happen, in units: no single miss shall outweigh all else
-
-double misfit_of(const Target& target, const Json& got) {
-  const Json& value = got.at(target.id);
-  if (!value.is_number()) return never;
-  const double off = value.get<double>() - target.want;
-  if (target.at_most && off < 0) return 0;
-  return std::min(never, std::fabs(off) / target.unit_of_misfit);
-}
-
-Json observed(const Setting& setting, const Scene& paper) {
-  Prepared prepared = prepare(scene_of(setting, paper));
+Json numbers_of(const Scene& scene) {
+  Prepared prepared = prepare(scene);
   const Timing time = prepared.scene.time;
   const RunRecord run = observed_run(std::move(prepared), time);
   if (!run.finished()) throw Divergence(run.fact("reason")->texts.at(0));
-  Json got;
-  for (const Reported& r : reported(run, the_paper(), "scenario_1")) {
-    if (!std::isnan(r.ours.value))
-      got[r.id] = r.ours.value;
-    else
-      got[r.id] = r.ours.words;
+  const std::vector<Reported> all = reported(run, the_paper(), "scenario_1");
+  Json numbers = Json::array();
+  for (const Target& target : targets()) {
+    const double value =
+        std::find_if(all.begin(), all.end(), [&](const Reported& r) { return r.id == target.id; })->ours.value;
+    numbers.push_back(std::isnan(value) ? Json() : Json(four_digits(value)));
   }
-  double sum = 0;
-  for (const Target& target : targets()) sum += std::pow(misfit_of(target, got), 2);
-  got["misfit"] = std::sqrt(sum / static_cast<double>(targets().size()));
-  return got;
+  return numbers;
 }
+
+Tried tried_of(const Setting& setting, const Json& got) {
+  Tried one{setting, {}, infinity};
+  if (!got.is_array()) return one;
+  double sum = 0;
+  for (std::size_t k = 0; k < targets().size(); ++k) {
+    one.numbers.push_back(got.at(k).is_number() ? got.at(k).get<double>() : NAN);
+    sum += std::pow(one.misfit_of(k), 2);
+  }
+  one.misfit = std::sqrt(sum / static_cast<double>(targets().size()));
+  return one;
+}
+
+Task task_of(const Batch& batch, const Scene& paper) {
+  std::string inputs;
+  std::vector<Scene> scenes;
+  for (const Setting& setting : batch.settings) {
+    scenes.push_back(scene_of(setting, paper));
+    inputs += hash_of_observed(scenes.back(), "scenario_1") + "\n";
+  }
+  const auto run = [scenes] {
+    Json all = Json::array();
+    for (const Scene& scene : scenes)
+      all.push_back(result_of({.key = {}, .run = [&scene] { return numbers_of(scene); }}).first);
+    return all;
+  };
+  return {batch.key, run, hash_of(inputs)};
+}
+
+// ---- which settings ----
 
 // Uniform in (0, 1), from the 53 leading bits: the same on every library.
 double uniform(std::mt19937_64& random) { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; }
@@ -113,137 +105,77 @@ Setting near(const Setting& s, std::mt19937_64& random, double reach) {
   return n;
 }
 
-struct Tried {
-  Setting setting;
-  Json got;  // observables and misfit, or {"failed": why}
-  double misfit() const { return got.contains("misfit") ? got["misfit"].get<double>() : infinity; }
-};
-
-class Search {
- public:
-  Search(const Settings& settings, const Scene& paper) : settings_(settings), paper_(paper) {}
-
-  void run(const std::vector<Setting>& wanted) {
-    std::vector<Task> tasks;
-    for (const Setting& s : wanted) tasks.push_back({s.json().dump(), [this, s] { return observed(s, paper_); }});
-    const std::vector<Json> results = run_tasks("geometry", settings_, tasks);
-    for (std::size_t k = 0; k < wanted.size(); ++k) tried_.push_back({wanted[k], results[k]});
-    std::stable_sort(tried_.begin(), tried_.end(),
-                     [](const Tried& a, const Tried& b) { return a.misfit() < b.misfit(); });
+// The scene file's own is the first.
+std::vector<Batch> drawn_batches(int batches, int settings, std::mt19937_64& random) {
+  std::vector<Batch> all;
+  for (int b = 0; b < batches; ++b) {
+    all.push_back({"drawn " + std::to_string(b + 1), {}});
+    for (int k = 0; k < settings; ++k) all.back().settings.push_back(b + k == 0 ? Setting() : drawn(random));
   }
-
-  const std::vector<Tried>& tried() const { return tried_; }
-
- private:
-  const Settings& settings_;
-  const Scene& paper_;
-  std::vector<Tried> tried_;
-};
-
-std::vector<Json> row_of(const std::string& name, const Tried& t) {
-  std::vector<Json> row{name,
-                        1e3 * t.setting.spacing,
-                        1e3 * t.setting.depth,
-                        1e3 * t.setting.contact_radius,
-                        t.setting.full_damper ? "full" : "axial",
-                        t.setting.magnitude ? "magnitude" : "tension"};
-  for (const Target& target : targets()) row.emplace_back(t.got.at(target.id));
-  row.emplace_back(t.got.at("misfit"));
-  return row;
+  return all;
 }
 
-std::vector<std::string> headings() {
-  std::vector<std::string> head{"setting", "spacing [mm]", "depth [mm]", "R* of a node [mm]", "damper", "tear rule"};
-  for (const Target& target : targets()) head.emplace_back(target.quantity);
-  head.emplace_back("misfit");
-  return head;
-}
-
-std::vector<Json> row_of_the_paper() {
-  std::vector<Json> row{"the paper", "not given",         "40, of scenes 2 and 3",
-                        "not given", "in its text axial", "not said"};
-  for (const Target& target : targets()) row.emplace_back(target.want);
-  row.emplace_back(0);
-  return row;
-}
-
-// For each target the setting that comes nearest to it alone, and what else it gives.
-void add_single_targets(Report& report, const std::vector<Tried>& tried) {
-  std::vector<std::vector<Json>> rows;
-  for (const Target& target : targets()) {
-    const auto off = [&](const Tried& t) { return t.got.contains("misfit") ? misfit_of(target, t.got) : infinity; };
-    const auto best = std::min_element(tried.begin(), tried.end(), [&](const Tried& a, const Tried& b) {
-      return std::pair(off(a), a.misfit()) < std::pair(off(b), b.misfit());
-    });
-    const auto met = std::count_if(tried.begin(), tried.end(), [&](const Tried& t) { return off(t) <= 1; });
-    rows.push_back({target.quantity, target.want, best->got.at(target.id), best->got.at("misfit"),
-                    100 * static_cast<double>(met) / static_cast<double>(tried.size())});
+std::vector<Batch> neighbours_of(const std::vector<Tried>& best, int round, int settings, std::mt19937_64& random) {
+  const double reach = 0.15 * std::pow(0.5, round);
+  std::vector<Batch> all;
+  for (std::size_t k = 0; k < 12 && k < best.size(); ++k) {
+    all.push_back({"round " + std::to_string(round + 1) + " near " + std::to_string(k + 1), {}});
+    for (int n = 0; n < settings; ++n) all.back().settings.push_back(near(best[k].setting, random, reach));
   }
-  report.table(
-      "Each number of the paper alone: the nearest that any setting comes, the misfit of all numbers at that setting, "
-      "and the share of all settings that come within a tenth of a force or 2 mm of a place.",
-      {"number", "the paper", "nearest", "misfit there", "settings that meet it [%]"}, rows);
+  return all;
+}
+
+// A batch that failed as a whole has no number of any setting.
+void take(Search& search, const std::vector<Batch>& batches, const std::vector<Json>& results) {
+  const bool first = search.tried.empty();
+  for (std::size_t b = 0; b < batches.size(); ++b) {
+    for (std::size_t k = 0; k < batches[b].settings.size(); ++k)
+      search.tried.push_back(
+          tried_of(batches[b].settings[k], results.at(b).is_array() ? results.at(b).at(k) : results.at(b)));
+  }
+  if (first) search.own = search.tried.front();
+  std::stable_sort(search.tried.begin(), search.tried.end(),
+                   [](const Tried& a, const Tried& b) { return a.misfit < b.misfit; });
 }
 
 }  // namespace
 
-Json geometry(const Settings& settings) {
-  const Scene paper = scene_named("scenario_1");
-  Search search(settings, paper);
-  std::mt19937_64 random(1);
-  const int tries = settings.quick ? 60 : 3000;
-  const int rounds = settings.quick ? 1 : 4;
-  std::vector<Setting> wanted{{0.01, 0.025, 0.01, false, false}};  // the scene file's own
-  while (static_cast<int>(wanted.size()) < tries) wanted.push_back(drawn(random));
-  search.run(wanted);
-  const Tried own = *std::find_if(search.tried().begin(), search.tried().end(),
-                                  [&](const Tried& t) { return t.setting.json() == wanted[0].json(); });
-  double reach = 0.15;
-  for (int round = 0; round < rounds; ++round, reach *= 0.5) {
-    std::vector<Setting> neighbours;
-    for (std::size_t k = 0; k < 12 && k < search.tried().size(); ++k) {
-      for (int n = 0; n < (settings.quick ? 2 : 25); ++n)
-        neighbours.push_back(near(search.tried()[k].setting, random, reach));
-    }
-    search.run(neighbours);
-  }
-  const std::vector<Tried>& tried = search.tried();
-  const auto failed =
-      std::count_if(tried.begin(), tried.end(), [](const Tried& t) { return t.got.contains("failed"); });
+const std::vector<Target>& targets() {
+  static const std::vector<Target> all{{"first_impact", 238, 23.8, false},    {"free_flight_begins", 40, 2, false},
+                                       {"free_flight_ends", 47, 2, false},    {"second_contact_fx", 50, 5, false},
+                                       {"second_contact_fy", 150, 15, false}, {"first_structural_tear", 54, 2, true},
+                                       {"fixed_links_torn", 116, 2, true}};
+  return all;
+}
 
-  Report report(
-      "What geometry was the first scene?",
-      "The paper gives neither the spacing of its lattice, nor the height of the plate, nor the radius in the "
-      "contact of node and plate. Which setting comes closest to what it reports of its first scene?");
-  std::vector<std::vector<Json>> rows_of_table{row_of_the_paper(), row_of("the scene file", own)};
-  for (std::size_t k = 0; k < 5 && k < tried.size() && std::isfinite(tried[k].misfit()); ++k)
-    rows_of_table.push_back(row_of("best " + std::to_string(k + 1), tried[k]));
-  report.text(
-      std::to_string(tried.size()) + " settings were tried, " + std::to_string(failed) +
-      " of them diverged. The misfit is the root mean square of the seven differences, a tenth of a force or 2 mm of a "
-      "place counting as one, and at most five.");
-  report.table("The best settings beside the paper's numbers and today's scene file.", headings(), rows_of_table);
-  add_single_targets(report, tried);
-  Json points = Json::array();
-  for (const Tried& t : tried) {
-    if (std::isfinite(t.misfit()) && points.size() < 1500)
-      points.push_back({1e3 * t.setting.spacing, t.setting.depth / t.setting.spacing, t.misfit()});
+double Tried::misfit_of(std::size_t target) const {
+  if (failed()) return infinity;
+  const Target& t = targets().at(target);
+  const double off = numbers.at(target) - t.want;
+  if (std::isnan(off)) return never;
+  if (t.at_most && off < 0) return 0;
+  return std::min(never, std::fabs(off) / t.unit_of_misfit);
+}
+
+Search search_geometry(bool quick, const Ask& ask) {
+  std::mt19937_64 random(1);
+  Search search{};
+  const std::vector<Batch> first = drawn_batches(quick ? 3 : 120, quick ? 20 : 25, random);
+  take(search, first, ask(first));
+  for (int round = 0; round < (quick ? 1 : 4); ++round) {
+    const std::vector<Batch> neighbours = neighbours_of(search.tried, round, quick ? 2 : 25, random);
+    take(search, neighbours, ask(neighbours));
   }
-  report.figure(
-      {.name = "geometry",
-       .script = "geometry.gp",
-       .caption = "Misfit of the settings tried, the best on top: " +
-                  std::string(rows_of_table.size() > 2 ? "the least is " : "") +
-                  (rows_of_table.size() > 2 ? std::to_string(tried[0].misfit()).substr(0, 4) : "") +
-                  ", that of the scene file " + std::to_string(own.misfit()).substr(0, 4) + ".",
-       .description = "Misfit against spacing and depth of the plate",
-       .variables = {{"own_spacing", 1e3 * own.setting.spacing}, {"own_rows", own.setting.depth / own.setting.spacing}},
-       .blocks = {{"settings", points}}});
-  report.claim(
-      "No setting tried meets all of the paper's numbers for the first scene within a tenth of a force and 2 mm.",
-      tried[0].misfit() > 1 || std::any_of(targets().begin(), targets().end(),
-                                           [&](const Target& target) { return misfit_of(target, tried[0].got) > 1; }));
-  return report.json();
+  return search;
+}
+
+void measure_geometry(Measurement& measurement) {
+  const Scene paper = scene_named("scenario_1");
+  search_geometry(measurement.quick(), [&](const std::vector<Batch>& batches) {
+    std::vector<Task> tasks;
+    for (const Batch& batch : batches) tasks.push_back(task_of(batch, paper));
+    return measurement.run(tasks);
+  });
 }
 
 }  // namespace furrow::validation

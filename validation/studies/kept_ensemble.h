@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,12 +12,14 @@ namespace furrow::validation {
 
 using Groups = std::map<std::string, std::vector<Json>>;  // "scenario_2 disc": its members, by seed
 
-// What is wrong with the result of an ensemble, its seal, form, groups, numbers of members and what each says; empty if
-// nothing is.
-std::string unusable_ensemble(const Json& kept);
+// The members among the numbers of an ensemble. Throws std::out_of_range that names one that is not there.
+Groups members_in(const Numbers& numbers);
+
+// What is wrong with the numbers of an ensemble: their form, which there are, what each member says; empty if nothing is.
+std::string unusable_ensemble(const Numbers& kept);
 
 // Runs the first member of a group again and compares all its numbers to the bit with the kept ones: only this shows
-// that the same scene, settings and model made them. Returns the first that differs, empty if none does.
+// that the same model made them. Returns the first that differs, empty if none does.
 std::string other_member(const std::string& group, const Json& kept_first);
 
 // Those of `groups` in directory/ensemble.json, all if none are named. Throws FileError: no file, not usable, or made

@@ -32,6 +32,20 @@ Json observed(const Scene& made, const std::string& scene) {
   return values;
 }
 
+Json only(const std::vector<std::string>& ids, const Json& observed) {
+  Json some = Json::object();
+  if (observed.contains("failed")) some["failed"] = observed["failed"];
+  for (const std::string& id : ids) {
+    if (observed.contains(id)) some[id] = observed[id];
+  }
+  return some;
+}
+
+Task Member::task() const {
+  const Scene made = paper_scene(scene, reading, seed);
+  return {key(), [made, of = scene] { return observed(made, of); }, hash_of_observed(made, scene)};
+}
+
 std::vector<Member> paper_members(bool quick) {
   std::vector<Member> all{{"scenario_1", Reading::disc, 1}};
   const std::uint64_t discs = quick ? 2 : 100;

@@ -16,11 +16,16 @@ namespace furrow::validation {
 // that diverges only what statements about stability ask, and "failed": why.
 Json observed(const Scene& made, const std::string& scene);
 
+// Those of the observables of a run, and why it failed if it did.
+Json only(const std::vector<std::string>& ids, const Json& observed);
+
 struct Member {
   std::string scene;
   Reading reading = Reading::disc;
   std::uint64_t seed = 1;
   std::string group() const { return scene + " " + to_string(reading); }
+  std::string key() const { return group() + " " + std::to_string(seed); }
+  Task task() const;  // its observables
 };
 
 // Scene 1 has no packing and one member; `quick`: two packings of discs and none of spheres.

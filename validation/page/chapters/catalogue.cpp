@@ -3,8 +3,10 @@
 #include "benchmarks/studies/work_precision.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/studies/convergence.h"
+#include "validation/studies/ensemble.h"
+#include "validation/studies/geometry.h"
 #include "validation/studies/outlook.h"
-#include "validation/studies/studies.h"
+#include "validation/studies/statements.h"
 #include "verification/studies/studies.h"
 
 namespace furrow::validation {
@@ -12,13 +14,17 @@ namespace {
 
 // What defines the numbers that the paper reports.
 const std::vector<std::string> observing{"validation/page/observables.", "validation/page/snapshot_observables.",
-                                         "validation/page/run_record.",  "validation/studies/observed_run.",
-                                         "validation/studies/beds.",     "validation/studies/members."};
+                                         "validation/page/run_record.", "validation/studies/observed_run.",
+                                         "src/output/first_touch."};
 
-std::vector<std::string> and_observing(const std::string& own) {
-  std::vector<std::string> files = observing;
-  files.push_back(own);
-  return files;
+std::vector<std::string> and_observing(std::vector<std::string> own) {
+  own.insert(own.end(), observing.begin(), observing.end());
+  return own;
+}
+
+// Of whole runs of the paper's scenes, one for each packing.
+std::vector<std::string> and_members(const std::string& own) {
+  return and_observing({own, "validation/studies/beds.", "validation/studies/members."});
 }
 
 }  // namespace
@@ -40,19 +46,29 @@ const std::vector<Study>& catalogue() {
        .files = {"benchmarks/studies/need", "benchmarks/studies/measured_run.", "src/report/cases."},
        .measure = benchmarks::measure_need,
        .chapter = need},
-      {.name = "geometry", .what = "which lattice and plate come closest to the paper's first scene", .run = geometry},
+      {.name = "geometry",
+       .what = "which lattice and plate come closest to the paper's first scene",
+       .files = and_observing({"validation/studies/geometry."}),
+       .measure = measure_geometry,
+       .chapter = geometry},
       {.name = "convergence",
        .what = "which of the paper's numbers do not depend on the time step",
-       .files = and_observing("validation/studies/convergence."),
+       .files = and_observing({"validation/studies/convergence.", "validation/studies/beds."}),
        .measure = measure_convergence,
        .chapter = convergence},
-      {.name = "ensemble", .what = "the paper's numbers over many packings of the bed", .run = ensemble},
+      {.name = "ensemble",
+       .what = "the paper's numbers over many packings of the bed",
+       .files = and_members("validation/studies/ensemble."),
+       .measure = measure_ensemble,
+       .chapter = ensemble},
       {.name = "statements",
        .what = "the paper, sentence by sentence; gaps and misprints tried both ways",
-       .run = statements},
+       .files = and_members("validation/studies/statements."),
+       .measure = measure_statements,
+       .chapter = statements},
       {.name = "outlook",
        .what = "what the paper leaves to later: speed of the plate, size of the particles",
-       .files = and_observing("validation/studies/outlook."),
+       .files = and_members("validation/studies/outlook."),
        .measure = measure_outlook,
        .chapter = outlook},
       {.name = "speed",

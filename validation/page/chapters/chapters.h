@@ -10,9 +10,12 @@ namespace furrow::validation {
 const std::vector<Study>& catalogue();
 
 Report convergence(const Shelf& shelf);
+Report ensemble(const Shelf& shelf);
+Report geometry(const Shelf& shelf);
 Report outlook(const Shelf& shelf);
 Report work_precision(const Shelf& shelf);
 Report need(const Shelf& shelf);
 Report speed(const Shelf& shelf);
+Report statements(const Shelf& shelf);
 
 }  // namespace furrow::validation
