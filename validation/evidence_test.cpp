@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -13,8 +12,6 @@
 #include "output/files.h"
 #include "report/seal.h"
 #include "validation/page/chapters/chapters.h"
-#include "validation/studies/few_members.h"
-#include "validation/studies/kept_ensemble.h"
 
 namespace furrow::validation {
 namespace {
@@ -40,85 +37,6 @@ struct Way {
   const char* name;
   std::function<void(Json&)> spoil;
 };
-
-// ---- the ensemble ----
-
-Json& members(Json& kept, const char* group) { return kept["data"]["members"][group]; }
-
-const std::vector<Way>& ways_of_ensemble() {
-  static const std::vector<Way> all{
-      {"null", [](Json& e) { e = nullptr; }},
-      {"empty", [](Json& e) { e = Json::object(); }},
-      {"of another study", [](Json& e) { e["study"] = "order"; }},
-      {"of the quick form", [](Json& e) { e["form"] = "quick"; }},
-      {"no data", [](Json& e) { e.erase("data"); }},
-      {"data is text", [](Json& e) { e["data"] = "x"; }},
-      {"no members", [](Json& e) { e["data"]["members"] = Json::object(); }},
-      {"3 of 100 members",
-       [](Json& e) {
-         Json& list = members(e, "scenario_2 disc");
-         list = Json::array({list[0], list[1], list[2]});
-       }},
-      {"one member less", [](Json& e) { members(e, "scenario_2 disc").erase(50); }},
-      {"one member more",
-       [](Json& e) { members(e, "scenario_2 disc").push_back(Json(members(e, "scenario_2 disc")[0])); }},
-      {"without a reading", [](Json& e) { e["data"]["members"].erase("scenario_3 sphere"); }},
-      {"without scene 1", [](Json& e) { e["data"]["members"].erase("scenario_1 disc"); }},
-      {"a group more", [](Json& e) { members(e, "scenario_4 disc") = Json::array(); }},
-      {"an empty member", [](Json& e) { members(e, "scenario_2 disc")[7] = Json::object(); }},
-      {"a member is a number", [](Json& e) { members(e, "scenario_2 disc")[7] = 1.5; }},
-      {"a number is null", [](Json& e) { members(e, "scenario_2 disc")[7]["force_ratio"] = nullptr; }},
-      {"a number is NaN", [](Json& e) { members(e, "scenario_2 disc")[7]["force_ratio"] = std::nan(""); }},
-      {"no mean force", [](Json& e) { members(e, "scenario_3 disc")[7].erase("mean_force"); }},
-      {"surface is text", [](Json& e) { members(e, "scenario_3 disc")[7]["surface"] = "0.07"; }},
-  };
-  return all;
-}
-
-TEST(KeptEnsemble, TheOneInTheTreeCanBeUsed) {
-  EXPECT_EQ(unusable_ensemble(json_of(reference("studies/ensemble.json"))), "");
-}
-
-TEST(KeptEnsemble, EveryWayToSpoilItMakesItUnusable) {
-  const Json sound = json_of(reference("studies/ensemble.json"));
-  for (const Way& way : ways_of_ensemble()) {
-    Json spoilt = sound;
-    way.spoil(spoilt);
-    EXPECT_NE(unusable_ensemble(spoilt), "") << way.name;
-    if (!spoilt.is_object()) continue;
-    seal(spoilt);
-    EXPECT_NE(unusable_ensemble(spoilt), "") << way.name << ", sealed";
-  }
-  Json changed = sound;
-  members(changed, "scenario_2 disc")[7]["mean_force"] = 1.0;
-  EXPECT_NE(unusable_ensemble(changed), "") << "changed by hand";
-}
-
-TEST(KeptEnsemble, OneOfAnotherModelIsNotTaken) {
-  Place place;
-  Json foreign = json_of(reference("studies/ensemble.json"));
-  for (Json& member : members(foreign, "scenario_1 disc"))
-    member["mean_force"] = 2 * member["mean_force"].get<double>();
-  seal(foreign);
-  write(place.path / "ensemble.json", foreign);
-  EXPECT_THROW(kept_ensemble(place.path, {"scenario_1 disc"}), FileError);
-  fs::copy_file(reference("studies/ensemble.json"), place.path / "ensemble.json", fs::copy_options::overwrite_existing);
-  EXPECT_EQ(kept_ensemble(place.path, {"scenario_1 disc"}).at("scenario_1 disc").size(), 1u);
-}
-
-TEST(KeptEnsemble, AMissingOneIsAnError) {
-  Place place;
-  EXPECT_THROW(kept_ensemble(place.path), FileError);
-}
-
-TEST(FewMembers, ANormOfNothingOrOfOneNumberIsStrange) {
-  const Json member{{"surface", 0.1}, {"mean_force", 1.0}, {"largest_force_discs", 2.0}, {"force_ratio", 3.0}};
-  const std::vector<Json> five(5, member);
-  EXPECT_TRUE(std::isinf(strangeness(five, norm_of({}))));
-  EXPECT_TRUE(std::isinf(strangeness(five, norm_of({member}))));
-  EXPECT_TRUE(std::isinf(strangeness(five, norm_of(five)))) << "without deviation";
-  EXPECT_TRUE(std::isinf(strangeness({}, norm_of({member, member}))));
-}
 
 // ---- what the page rests on ----
 

@@ -195,7 +195,7 @@ TEST_F(Judging, StudiesAreListedAndAnUnknownOneIsRefused) {
   EXPECT_NE(err().find("no study 'ordre'; there are order,"), std::string::npos) << err();
 }
 
-// Its runs are kept until it ends; of a sound one, of the scene file's own setting, all numbers are made the paper's.
+// Its runs are kept until it ends; of the scene file's own setting, the first of them, all numbers are made the paper's.
 TEST_F(Judging, AStudyWhoseClaimDoesNotHoldExitsOneAndSaysWhich) {
   const fs::path kept = directory_ / "geometry.runs.jsonl";
   furrow::test::Process study(directory_, started("study geometry --quick --jobs 1 --out ."));
@@ -206,24 +206,16 @@ TEST_F(Judging, AStudyWhoseClaimDoesNotHoldExitsOneAndSaysWhich) {
   std::string first;
   std::getline(lines, first);
   auto run = nlohmann::ordered_json::parse(first);
-  for (const auto& [id, number] : {std::pair{"first_impact", 238},
-                                   {"free_flight_begins", 40},
-                                   {"free_flight_ends", 47},
-                                   {"second_contact_fx", 50},
-                                   {"second_contact_fy", 150},
-                                   {"first_structural_tear", 54},
-                                   {"fixed_links_torn", 116},
-                                   {"misfit", 0}}) {
-    ASSERT_TRUE(run["result"].contains(id)) << id;
-    run["result"][id] = number;
-  }
+  run.at("results").at(0).at("value").at(0) = {238, 40, 47, 50, 150, 54, 116};
   furrow::seal(run);
   std::ofstream(kept) << run.dump() << "\n";
-  EXPECT_EQ(furrow("study geometry --quick --out .").code, 1) << err();
-  EXPECT_NE(err().find("furrow: does not hold: No setting tried meets all of the paper's numbers"), std::string::npos)
-      << err();
-  EXPECT_EQ(out(), "./geometry.json\n");
-  EXPECT_FALSE(nlohmann::json::parse(text("geometry.json")).at("claims").at(0).at("holds"));
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(furrow("study geometry --quick --out .").code, 1) << "those that are kept are taken, " << err();
+    EXPECT_NE(err().find("furrow: does not hold: No setting tried meets all of the paper's numbers"), std::string::npos)
+        << err();
+    EXPECT_EQ(out(), "./geometry.json\n");
+  }
+  fs::remove(directory_ / "geometry.json");
   EXPECT_EQ(furrow("study geometry --quick --out .").code, 0) << err();
 }
 

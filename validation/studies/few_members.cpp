@@ -63,7 +63,7 @@ bool check_few(const Settings& settings, const std::function<void(const std::str
     say(few_observables[k] + ": " + three_digits(sample_of(few_observables[k], got).mean()) + ", ensemble " +
         three_digits(norm.mean[k]) + " with standard deviation " + three_digits(norm.deviation[k]));
   const double strange = strangeness(got, norm);
-  say("compared with " + std::to_string(list.size()) + " packings, of which the first gives the same bits today");
+  say("compared with " + std::to_string(list.size()) + " packings, of which the first gives the same numbers today");
   const bool alike = strange <= few_limit;
   say(std::to_string(few) + " packings lie within " + three_digits(strange) + " standard errors, " +
       three_digits(few_limit) + " are allowed: " + (alike ? "like the ensemble" : "NOT like the ensemble"));

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <random>
 
 #include "report/seal.h"
@@ -32,12 +30,6 @@ Scene scene_of(const Setting& s, const Scene& paper) {
   return scene;
 }
 
-double four_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return std::strtod(text, nullptr);
-}
-
 Json numbers_of(const Scene& scene) {
   Prepared prepared = prepare(scene);
   const Timing time = prepared.scene.time;
@@ -48,7 +40,7 @@ Json numbers_of(const Scene& scene) {
   for (const Target& target : targets()) {
     const double value =
         std::find_if(all.begin(), all.end(), [&](const Reported& r) { return r.id == target.id; })->ours.value;
-    numbers.push_back(std::isnan(value) ? Json() : Json(four_digits(value)));
+    numbers.push_back(std::isnan(value) ? Json() : Json(to_digits(value, 4)));
   }
   return numbers;
 }

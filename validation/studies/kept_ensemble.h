@@ -18,7 +18,7 @@ Groups members_in(const Numbers& numbers);
 // What is wrong with the numbers of an ensemble: their form, which there are, what each member says; empty if nothing is.
 std::string unusable_ensemble(const Numbers& kept);
 
-// Runs the first member of a group again and compares all its numbers to the bit with the kept ones: only this shows
+// Runs the first member of a group again and compares all its numbers with the kept ones, digit by digit: only this shows
 // that the same model made them. Returns the first that differs, empty if none does.
 std::string other_member(const std::string& group, const Json& kept_first);
 

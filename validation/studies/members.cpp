@@ -8,11 +8,16 @@
 #include "validation/studies/observed_run.h"
 
 namespace furrow::validation {
+namespace {
+
+double kept(double value) { return to_digits(value, 6); }
+
+}  // namespace
 
 Json observed(const Scene& made, const std::string& scene) {
   Prepared prepared = prepare(made);
   Json values = Json::object();
-  if (prepared.surface) values["surface"] = *prepared.surface;
+  if (prepared.surface) values["surface"] = kept(*prepared.surface);
   const Timing time = prepared.scene.time;
   const RunRecord run = observed_run(std::move(prepared), time);
   if (!run.finished()) values = {{"failed", run.fact("reason")->texts.at(0)}};
@@ -20,7 +25,7 @@ Json observed(const Scene& made, const std::string& scene) {
     if (s.scene != scene || (!run.finished() && s.observable != "finished")) continue;
     const Measured ours = measure(run, s.observable, s.window);
     if (std::isfinite(ours.value)) {
-      values[s.id] = ours.value;
+      values[s.id] = kept(ours.value);
     } else if (!ours.words.empty()) {
       values[s.id] = ours.words;
     }
@@ -28,7 +33,7 @@ Json observed(const Scene& made, const std::string& scene) {
   if (!run.finished()) return values;
   double sum = 0;
   for (const double f : run.force.f) sum += f;
-  values["mean_force"] = sum / static_cast<double>(run.force.f.size());
+  values["mean_force"] = kept(sum / static_cast<double>(run.force.f.size()));
   return values;
 }
 

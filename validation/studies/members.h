@@ -12,8 +12,8 @@
 namespace furrow::validation {
 
 // The named observables of one run of a made scene: those of the paper's statements about `scene` ("scenario_2"), and
-// mean_force [N] and surface [m], the height of the settled bed. Numbers, or words where a run says no number. Of a run
-// that diverges only what statements about stability ask, and "failed": why.
+// mean_force [N] and surface [m], the height of the settled bed. Numbers of six digits, or words where a run says no
+// number. Of a run that diverges only what statements about stability ask, and "failed": why.
 Json observed(const Scene& made, const std::string& scene);
 
 // Those of the observables of a run, and why it failed if it did.

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "output/first_touch.h"
 #include "physics/stress.h"
@@ -93,6 +95,12 @@ const Publication& the_paper() {
   return paper;
 }
 
+double to_digits(double value, int digits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return std::strtod(text.data(), nullptr);
+}
+
 std::string hash_of_observed(const Scene& made, const std::string& scene) {
   std::string asked;
   for (const Statement& s : the_paper().statements) {
@@ -101,7 +109,7 @@ std::string hash_of_observed(const Scene& made, const std::string& scene) {
     if (s.window) asked += " " + std::to_string((*s.window)[0]) + " " + std::to_string((*s.window)[1]);
     asked += "\n";
   }
-  return hash_of_scene(made) + "/" + hash_of(asked);
+  return hash_of(hash_of_scene(made) + "\n" + asked);
 }
 
 }  // namespace furrow::validation
