@@ -32,7 +32,8 @@ add_custom_command(OUTPUT "${generated_dir}/embedded.cpp"
 file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
   src/*.h src/*.cpp verification/studies/*.h verification/studies/*.cpp validation/studies/*.h validation/studies/*.cpp
   benchmarks/studies/*.h benchmarks/studies/*.cpp)
-file(GLOB page_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" validation/page/*.h validation/page/*.cpp)
+file(GLOB page_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" validation/page/*.h validation/page/*.cpp
+  verification/damped_hertz.h)
 list(APPEND hashed_files ${page_files})
 list(TRANSFORM hashed_files PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE hashed_paths)
 add_custom_command(OUTPUT "${generated_dir}/sources.cpp"

@@ -7,7 +7,8 @@
 #include "validation/studies/geometry.h"
 #include "validation/studies/outlook.h"
 #include "validation/studies/statements.h"
-#include "verification/studies/studies.h"
+#include "verification/studies/order.h"
+#include "verification/studies/stability.h"
 
 namespace furrow::validation {
 namespace {
@@ -27,14 +28,31 @@ std::vector<std::string> and_members(const std::string& own) {
   return and_observing({own, "validation/studies/beds.", "validation/studies/members."});
 }
 
+std::vector<std::string> of_verification(const std::vector<std::string>& own, const std::string& other) {
+  std::vector<std::string> files{other, "verification/studies/kept_numbers."};
+  for (const std::string& file : own) files.push_back("verification/studies/" + file);
+  return files;
+}
+
 }  // namespace
 
 const std::vector<Study>& catalogue() {
   static const std::vector<Study> all{
-      {.name = "order", .what = "observed order of each method on each kind of force", .run = verification::order},
+      {.name = "order",
+       .what = "observed order of each method on each kind of force",
+       .files = of_verification(
+           {"order.", "order_contacts.", "order_cure.", "order_friction.", "order_hertz.", "order_observed.",
+            "order_problems.", "order_reference.", "order_springs.", "order_trends."},
+           "verification/damped_hertz."),
+       .measure = verification::measure_order,
+       .chapter = order},
       {.name = "stability",
        .what = "where methods fail: stable steps by theory, and the solver's own blow-up",
-       .run = verification::stability},
+       .files = of_verification(
+           {"stability.", "scene_stability.", "scenes_stability.", "atlas.", "blow_up.", "growth.", "amplification."},
+           "src/report/linearise."),
+       .measure = verification::measure_stability,
+       .chapter = stability},
       {.name = "work_precision",
        .what = "error against evaluations and CPU time, every method on every scene",
        .files = {"benchmarks/studies/work_precision", "benchmarks/studies/reference.",

@@ -9,6 +9,8 @@ namespace furrow::validation {
 // All studies with their chapters.
 const std::vector<Study>& catalogue();
 
+Report order(const Shelf& shelf);
+Report stability(const Shelf& shelf);
 Report convergence(const Shelf& shelf);
 Report ensemble(const Shelf& shelf);
 Report geometry(const Shelf& shelf);

@@ -1,36 +1,18 @@
-#include "verification/studies/order_tables.h"
-
+// What each kind of force leaves of an order, what restores it, and how else methods differ.
 #include <cmath>
 #include <cstdio>
 
+#include "validation/page/chapters/order_parts.h"
 #include "verification/studies/order_cure.h"
-#include "verification/studies/order_trends.h"
 
-namespace furrow::verification {
-namespace {
+namespace furrow::validation {
 
-double number(const Json& value) { return value.is_number() ? value.get<double>() : NAN; }
-
-}  // namespace
+using namespace verification;
 
 std::string with_error(const Slope& s) { return s.points < 4 ? "-" : fixed(s.value, 2) + " ± " + fixed(s.error, 2); }
 
 std::string in_short(const Slope& s) {
   return s.points < 4 ? "–" : fixed(s.value, 2) + "(" + fixed(100 * s.error, 0) + ")";
-}
-
-Json to_json(const std::vector<Point>& points) {
-  Json rows = Json::array();
-  for (const Point& p : points)
-    rows.push_back({p.step, p.tolerance, p.evaluations, p.per_step, p.position, p.velocity, p.failures});
-  return rows;
-}
-
-std::vector<Point> to_points(const Json& rows) {
-  std::vector<Point> points;
-  for (const Json& r : rows)
-    points.push_back({number(r[0]), number(r[1]), number(r[2]), number(r[3]), number(r[4]), number(r[5]), r[6]});
-  return points;
 }
 
 void kinds_table(Report& report) {
@@ -46,10 +28,15 @@ void kinds_table(Report& report) {
       {"motion", "event", "predicted order", "seen by error control"}, rows);
 }
 
+namespace {
+
+// s of error = C tolerance^s.
 Slope exponent_of(const Observations& all, const std::string& method, const std::string& p) {
   const auto found = all.points.find({method, p});
   return found == all.points.end() ? Slope{} : fitted_exponent(found->second);
 }
+
+}  // namespace
 
 void controlled_table(Report& report, const Observations& all) {
   std::vector<std::string> head{"method"};
@@ -95,34 +82,35 @@ void cure_table(Report& report, const Observations& all) {
 
 namespace {
 
-std::string drift_text(const Json& drift, std::size_t k) {
+std::string drift_text(double drift) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2e", number(drift[k]));
+  std::snprintf(text, sizeof text, "%.2e", drift);
   return text;
+}
+
+std::string back_text(const std::vector<Point>& points) {
+  return returns_exactly(points) ? "exact" : in_short(fitted_return(points));
 }
 
 }  // namespace
 
 void trends_table(Report& report, const Observations& all) {
+  constexpr int shown_angle = 2;
+  static_assert(drift_angles[shown_angle] == 0.1);
   std::vector<std::vector<Json>> rows;
   for (const MethodInfo& method : method_catalogue()) {
     const auto found = all.trends.find(method.name);
-    if (found == all.trends.end() || !found->second.contains("per_step")) continue;
-    const Json& t = found->second;
-    std::vector<Json> row{method.name, fixed(number(t["per_step"]), 2), fixed(number(t["at_start"]), 0)};
+    if (found == all.trends.end()) continue;
+    const Trends& t = found->second;
+    std::vector<Json> row{method.name, fixed(t.count.per_step, 2), fixed(t.count.at_start, 0)};
     if (method.controlled) {
       row.insert(row.end(), {"-", "-", "-", "-", "-"});
     } else {
-      const auto back = [&](const char* p) -> std::string {
-        const std::vector<Point> points = to_points(t[p]);
-        const Slope slope = fitted_return(points);
-        return returns_exactly(points) ? "exact" : in_short(slope);
-      };
       const auto want = predicted_return(method);
-      const auto drift = amplified_drift(method.name, 0.1);
-      row.insert(row.end(),
-                 {back("spring"), back("hertz"), want ? std::isinf(*want) ? "exact" : shown_order(*want) : "-",
-                  drift_text(t["drift"], 2), drift ? drift_text(Json::array({*drift}), 0) : "-"});
+      const auto drift = amplified_drift(method.name, drift_angles[shown_angle]);
+      row.insert(row.end(), {back_text(t.spring), back_text(t.hertz),
+                             want ? std::isinf(*want) ? "exact" : shown_order(*want) : "-",
+                             drift_text(t.drift.at(shown_angle)), drift ? drift_text(*drift) : "-"});
     }
     rows.push_back(std::move(row));
   }
@@ -137,4 +125,4 @@ void trends_table(Report& report, const Observations& all) {
       rows);
 }
 
-}  // namespace furrow::verification
+}  // namespace furrow::validation

@@ -1,13 +1,13 @@
-#include "verification/studies/order_figures.h"
-
+// Observed orders as matrices, as slopes, and the energy of an oscillator.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "verification/studies/order_tables.h"
-#include "verification/studies/order_trends.h"
+#include "validation/page/chapters/order_parts.h"
 
-namespace furrow::verification {
+namespace furrow::validation {
+
+using namespace verification;
 
 std::string fixed(double value, int digits) {
   char text[32];
@@ -22,12 +22,6 @@ std::string shown_order(double order) {
 }
 
 namespace {
-
-double rounded_to_6(double value) {
-  if (value == 0 || !std::isfinite(value)) return value;
-  const double scale = std::pow(10.0, 5 - std::floor(std::log10(std::fabs(value))));
-  return std::round(value * scale) / scale;
-}
 
 // Own methods of fixed steps. The first five have a style of order_slopes.gp each, any others share the last one; pec and
 // pecece would lie on pece.
@@ -64,8 +58,7 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
       ++count;
       held += holds ? 1 : 0;
       const bool known = slope.points >= 4;
-      cells.push_back(
-          {x, y, known ? rounded_to_6(slope.value) : 0, holds ? 0 : 1, known ? in_short(slope) : std::string("none")});
+      cells.push_back({x, y, known ? slope.value : 0, holds ? 0 : 1, known ? in_short(slope) : std::string("none")});
       const double least = of_velocity ? v.predicted->velocity : v.predicted->position;
       const double room = v.predicted->most - v.predicted->position;
       const bool open = of_velocity && v.predicted->at_least;
@@ -101,8 +94,7 @@ Figure slopes_figure(const Observations& all) {
       const std::vector<Point>& series = found->second;
       for (const Point& point : series) {
         if (!(point.position > 0)) continue;
-        points.push_back(
-            {panel, static_cast<double>(k), rounded_to_6(point.step / p.unit), rounded_to_6(point.position)});
+        points.push_back({panel, static_cast<double>(k), point.step / p.unit, point.position});
         least = std::min(least, point.position);
         most = std::max(most, point.position);
       }
@@ -111,14 +103,14 @@ Figure slopes_figure(const Observations& all) {
       // The predicted slope through the middle of the measured points.
       const Point& middle = series[series.size() / 2];
       const auto at = [&](const Point& end) {
-        return rounded_to_6(middle.position * std::pow(end.step / middle.step, v.predicted->position));
+        return middle.position * std::pow(end.step / middle.step, v.predicted->position);
       };
-      theory.push_back({panel, rounded_to_6(series.front().step / p.unit), at(series.front()),
-                        rounded_to_6(series.back().step / p.unit), at(series.back())});
+      theory.push_back(
+          {panel, series.front().step / p.unit, at(series.front()), series.back().step / p.unit, at(series.back())});
       const double slope = v.predicted->position;
       if (std::find(labelled.begin(), labelled.end(), slope) != labelled.end()) continue;
       labelled.push_back(slope);
-      labels.push_back({panel, rounded_to_6(series.back().step / p.unit), at(series.back()), shown_order(slope)});
+      labels.push_back({panel, series.back().step / p.unit, at(series.back()), shown_order(slope)});
     }
     panels.push_back(
         {panel, std::pow(10, std::floor(std::log10(least))), std::pow(10, std::ceil(std::log10(most))), p.title});
@@ -142,28 +134,28 @@ Figure slopes_figure(const Observations& all) {
   return figure;
 }
 
-Figure energy_figure(const Observations& all, const std::vector<double>& angles) {
+Figure energy_figure(const Observations& all) {
+  const auto& angles = drift_angles;
   Json points = Json::array(), theory = Json::array(), names = Json::array();
   double curve = 0;
   std::vector<double> labelled;
   for (const MethodInfo& method : method_catalogue()) {
     const auto drift = predicted_drift(method.name);
     const auto found = all.trends.find(method.name);
-    if (found == all.trends.end() || !found->second.contains("drift") || method.name.starts_with("odeint_rk") ||
+    if (found == all.trends.end() || found->second.drift.empty() || method.name.starts_with("odeint_rk") ||
         method.name.starts_with("odeint_ab") || method.name.starts_with("odeint_s") ||
         method.name.starts_with("odeint_v"))
       continue;
-    const Json& measured = found->second["drift"];
     double first = 0;  // at the greatest angle
     for (std::size_t k = 0; k < angles.size(); ++k) {
-      const double value = measured[k].is_number() ? measured[k].get<double>() : NAN;
+      const double value = found->second.drift.at(k);
       if (!(std::fabs(value) > 1e-13)) continue;
       if (k == 0) first = value;
-      points.push_back({curve, angles[k], rounded_to_6(std::fabs(value)), value > 0 ? 1 : 0});
+      points.push_back({curve, angles[k], std::fabs(value), value > 0 ? 1 : 0});
     }
     if (drift && drift->factor != 0) {
       for (const double angle : {angles.front(), angles.back()})
-        theory.push_back({curve, angle, rounded_to_6(std::fabs(drift->factor) * std::pow(angle, drift->power))});
+        theory.push_back({curve, angle, std::fabs(drift->factor) * std::pow(angle, drift->power)});
     }
     // Labels keep a distance of a factor.
     double at = std::fabs(first);
@@ -173,7 +165,7 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
       if (!free) at /= 1.5;
     }
     labelled.push_back(at);
-    names.push_back({curve, rounded_to_6(at), first > 0 ? 1 : 0, method.name});
+    names.push_back({curve, at, first > 0 ? 1 : 0, method.name});
     ++curve;
   }
   Figure figure{"order_energy", "order_energy.gp", {}, "relative change of energy in a period against h omega"};
@@ -185,4 +177,4 @@ Figure energy_figure(const Observations& all, const std::vector<double>& angles)
   return figure;
 }
 
-}  // namespace furrow::verification
+}  // namespace furrow::validation
