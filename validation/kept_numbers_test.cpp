@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <new>
 
 #include "output/files.h"
 #include "report/seal.h"
 #include "report/study.h"
+#include "validation/page/chapters/chapters.h"
 
 namespace furrow::validation {
 namespace {
@@ -174,6 +176,21 @@ TEST(Age, TheWholeStatePathDecides) {
     }
   }
   EXPECT_GT(seen, 50);
+}
+
+// A name in the catalogue that fits no file would leave out what it should follow.
+TEST(Age, EachOfAStudysOwnSourcesIsThere) {
+  int named = 0;
+  for (const Study& study : catalogue()) {
+    EXPECT_TRUE(study.measure && study.chapter) << study.name;
+    for (const std::string& file : study.files) {
+      ++named;
+      const Sources& all = sources_of_this_program();
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.first.starts_with(file); }))
+          << study.name << ": " << file;
+    }
+  }
+  EXPECT_GT(named, 20);
 }
 
 // The hashes are of what a compiler reads: a constant changes one, a comment none.

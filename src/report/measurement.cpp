@@ -217,12 +217,6 @@ std::vector<Json> Measurement::run(const std::vector<Task>& tasks) {
   return values;
 }
 
-std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks) {
-  Settings kept = settings;
-  kept.directory.clear();
-  return Measurement(study, kept, {}).run(tasks);
-}
-
 Recomputation::Recomputation(std::string study, const Numbers& kept, Sources sources, std::uint64_t draw,
                              double most_cpu)
     : Measurement(std::move(study), {.quick = kept.quick()}, std::move(sources)), draw_(draw), left_(most_cpu) {

@@ -65,9 +65,6 @@ class Measurement {
   void take_lines(const std::filesystem::path& file);
 };
 
-// For a study that makes numbers and words at once.
-std::vector<Json> run_tasks(const std::string& study, const Settings& settings, const std::vector<Task>& tasks);
-
 // What a task gives, and the CPU time of it in s: {"failed": what} if it throws what is a result.
 std::pair<Json, double> result_of(const Task& task);
 

@@ -1,13 +1,6 @@
 #include "report/study.h"
 
-#include <fstream>
-
-#include "output/build_info.h"
-#include "output/files.h"
-#include "output/kept_result.h"
-#include "output/machine.h"
 #include "report/embedded.h"
-#include "report/seal.h"
 #include "scene/read.h"
 
 namespace furrow {
@@ -21,32 +14,6 @@ std::vector<std::string> refuted(const Json& report) {
     if (!claim.at("holds").get<bool>()) texts.push_back(claim.at("text"));
   }
   return texts;
-}
-
-// Earlier ones do not say of which study they are.
-bool is_result(const std::string& name, const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
-  return json.is_object() && json.contains("parts") && json.contains("claims") && json.value("study", name) == name;
-}
-
-// Of a study that makes numbers and words at once.
-std::vector<std::string> run_whole(const Study& study, const Settings& settings) {
-  const fs::path file = settings.directory / (study.name + ".json");
-  refuse_what_is_not("a result of study " + study.name, file,
-                     [&](const std::string& text) { return is_result(study.name, text); });
-  Json result = study.run(settings);
-  const BuildInfo& build = build_info();
-  result["commit"] = build.commit;
-  result["compiler"] = build.compiler;
-  result["flags"] = build.flags;
-  result["machine"] = processor_name();
-  result["study"] = study.name;
-  result["form"] = settings.quick ? "quick" : "full";
-  result["sources"] = build.sources;
-  seal(result);
-  replace_file(file, result.dump(1) + "\n");
-  fs::remove(settings.directory / (study.name + ".runs.jsonl"));
-  return refuted(result);
 }
 
 }  // namespace
@@ -120,7 +87,6 @@ const Numbers& Shelf::of(const std::string& study) const {
 void Shelf::put(Numbers numbers) { read_.insert_or_assign(numbers.study(), std::move(numbers)); }
 
 std::vector<std::string> run_study(const Study& study, const Settings& settings) {
-  if (!study.measure) return run_whole(study, settings);
   Measurement measurement(study.name, settings, study.sources());
   study.measure(measurement);
   measurement.numbers().write(settings.directory / (study.name + ".json"));

@@ -68,7 +68,6 @@ struct Study {
   std::vector<std::string> files{};
   void (*measure)(Measurement& measurement) = nullptr;
   Report (*chapter)(const Shelf& shelf) = nullptr;
-  Json (*run)(const Settings& settings) = nullptr;  // of a study that still makes numbers and words at once
 
   Sources sources() const { return that_decide(sources_of_this_program(), files); }
 };

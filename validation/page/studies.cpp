@@ -7,9 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output/build_info.h"
 #include "report/embedded.h"
-#include "report/seal.h"
 #include "validation/page/evidence.h"
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
@@ -107,14 +105,6 @@ std::string part_of(const ordered_json& part, Drawings& drawings) {
   return figure_of(part, drawings);
 }
 
-// Of a study that makes words itself.
-std::string by_which_solver(const ordered_json& json) {
-  return "commit " + text(json, "commit") + ", " + text(json, "compiler") + ", " + text(json, "machine") +
-         (json.value("sources", "") == build_info().sources
-              ? ". The solver's sources are those of this page's runs."
-              : ". It is not shown that the solver's sources are those of this page's runs.");
-}
-
 std::string listed(const std::vector<std::string>& all, std::size_t most) {
   std::string list;
   for (std::size_t k = 0; k < std::min(most, all.size()); ++k) list += (k == 0 ? "" : ", ") + all[k];
@@ -142,12 +132,7 @@ std::vector<Result> results_in(const Evidence& evidence, StudyPlace place_on_pag
     const bool first = name == studies_of_the_page().front();
     if (first != (place_on_page == StudyPlace::before_scenes) || !unusable_study(evidence, name).empty()) continue;
     const auto study = std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
-                                    [&](const Study& s) { return s.name == name && s.chapter; });
-    if (study == evidence.catalogue.end()) {
-      const ordered_json json = read_sealed(evidence.studies / (name + ".json"));
-      results.push_back({name, json, by_which_solver(json)});
-      continue;
-    }
+                                    [&](const Study& s) { return s.name == name; });
     const Age age = age_of(shelf.of(name), study->sources());
     results.push_back(
         {name, study->chapter(shelf).json(), typeset(escaped(words_of(shelf.of(name), age))), age.old_timed > 0});

@@ -144,7 +144,8 @@ int check_goldens(const GoldenOptions& options) {
         {which.name(), [which, extent = extent_of(which, options.quick)] { return run_of(which, extent); }});
   }
   const std::vector<Json> results =
-      run_tasks("golden", {.quick = options.quick, .jobs = options.jobs, .progress = options.progress}, tasks);
+      Measurement("golden", {.quick = options.quick, .jobs = options.jobs, .progress = options.progress}, {})
+          .run(tasks);
   int different = 0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const fs::path file = file_of(runs[k], options);
