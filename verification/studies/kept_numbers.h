@@ -11,7 +11,7 @@ namespace furrow::verification {
 
 inline Json kept(double value, int digits) {
   if (!std::isfinite(value)) return nullptr;
-  const std::string text = rounded(value, digits);
+  const std::string text = furrow::rounded(value, digits);
   double number = 0;
   std::from_chars(text.data(), text.data() + text.size(), number);
   return number;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "methods/method.h"
-#include "report/study.h"
 #include "verification/studies/order_observed.h"
 #include "verification/studies/published_problems.h"
 

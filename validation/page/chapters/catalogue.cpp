@@ -8,6 +8,7 @@
 #include "validation/studies/outlook.h"
 #include "validation/studies/statements.h"
 #include "verification/studies/order.h"
+#include "verification/studies/published.h"
 #include "verification/studies/stability.h"
 
 namespace furrow::validation {
@@ -46,6 +47,12 @@ const std::vector<Study>& catalogue() {
            "verification/damped_hertz."),
        .measure = verification::measure_order,
        .chapter = order},
+      {.name = "published",
+       .what = "every method on published problems that have nothing to do with contacts",
+       .files = of_verification({"published", "order_observed.", "order_predicted.", "order_reference."},
+                                "verification/studies/order_problems."),
+       .measure = verification::measure_published,
+       .chapter = published},
       {.name = "stability",
        .what = "where methods fail: stable steps by theory, and the solver's own blow-up",
        .files = of_verification(

@@ -18,6 +18,7 @@ Report outlook(const Shelf& shelf);
 Report work_precision(const Shelf& shelf);
 Report need(const Shelf& shelf);
 Report speed(const Shelf& shelf);
+Report published(const Shelf& shelf);
 Report statements(const Shelf& shelf);
 
 }  // namespace furrow::validation
