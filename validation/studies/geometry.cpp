@@ -42,6 +42,7 @@ Json numbers_of(const Scene& scene) {
         std::find_if(all.begin(), all.end(), [&](const Reported& r) { return r.id == target.id; })->ours.value;
     numbers.push_back(std::isnan(value) ? Json() : Json(to_digits(value, 4)));
   }
+  while (!numbers.empty() && numbers.back().is_null()) numbers.erase(numbers.size() - 1);
   return numbers;
 }
 
@@ -50,7 +51,7 @@ Tried tried_of(const Setting& setting, const Json& got) {
   if (!got.is_array()) return one;
   double sum = 0;
   for (std::size_t k = 0; k < targets().size(); ++k) {
-    one.numbers.push_back(got.at(k).is_number() ? got.at(k).get<double>() : NAN);
+    one.numbers.push_back(k < got.size() && got[k].is_number() ? got[k].get<double>() : NAN);
     sum += std::pow(one.misfit_of(k), 2);
   }
   one.misfit = std::sqrt(sum / static_cast<double>(targets().size()));

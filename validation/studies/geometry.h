@@ -35,8 +35,8 @@ struct Tried {
   double misfit_of(std::size_t target) const;  // in its units
 };
 
-// A result of the study: for each of the settings the numbers of the targets, null for what does not happen, or
-// {"failed": why}.
+// A result of the study: for each of the settings the numbers of the targets, null for what does not happen, without the
+// nulls at the end, or {"failed": why}.
 struct Batch {
   std::string key;
   std::vector<Setting> settings;
