@@ -1,10 +1,8 @@
 #include "report/measurement.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <mutex>
@@ -18,6 +16,7 @@
 #include "output/kept_result.h"
 #include "output/machine.h"
 #include "report/seal.h"
+#include "scene/hash.h"
 #include "scene/interrupt.h"
 #include "scene/read.h"
 
@@ -121,9 +120,7 @@ class Workers {
 
 std::string hash_of_scene(Scene scene) {
   scene.title.clear();  // words
-  std::array<char, 20> text{};
-  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(scene_hash(scene)));
-  return text.data();
+  return hexadecimal(scene_hash(scene));
 }
 
 // A method's failure is a result. That the machine failed, or that somebody interrupted it, is none: it ends the study.

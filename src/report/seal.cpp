@@ -1,12 +1,10 @@
 #include "report/seal.h"
 
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "output/files.h"
+#include "scene/hash.h"
 
 namespace furrow {
 namespace {
@@ -20,13 +18,7 @@ std::string seal_of(ordered_json kept) {
 
 }  // namespace
 
-std::string hash_of(const std::string& text) {
-  std::uint64_t sum = 0xcbf29ce484222325ULL;
-  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(sum));
-  return digits.data();
-}
+std::string hash_of(const std::string& text) { return hexadecimal(Fnv1a().add(text).value()); }
 
 void seal(ordered_json& kept) { kept["seal"] = seal_of(kept); }
 

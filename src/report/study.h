@@ -66,6 +66,7 @@ struct Study {
   std::string name, what;
   // Its own files that decide its numbers, by the beginning of their paths.
   std::vector<std::string> files{};
+  std::vector<std::string> reads{};  // other studies whose numbers its chapter needs
   void (*measure)(Measurement& measurement) = nullptr;
   Report (*chapter)(const Shelf& shelf) = nullptr;
 

@@ -133,9 +133,17 @@ std::vector<Result> results_in(const Evidence& evidence, StudyPlace place_on_pag
     if (first != (place_on_page == StudyPlace::before_scenes) || !unusable_study(evidence, name).empty()) continue;
     const auto study = std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
                                     [&](const Study& s) { return s.name == name; });
-    const Age age = age_of(shelf.of(name), study->sources());
-    results.push_back(
-        {name, study->chapter(shelf).json(), typeset(escaped(words_of(shelf.of(name), age))), age.old_timed > 0});
+    Result result{name, study->chapter(shelf).json(), ""};
+    std::vector<std::string> read{name};
+    read.insert(read.end(), study->reads.begin(), study->reads.end());
+    for (const Study& other : evidence.catalogue) {
+      if (std::find(read.begin(), read.end(), other.name) == read.end()) continue;
+      const Age age = age_of(shelf.of(other.name), other.sources());
+      result.old_times = result.old_times || age.old_timed > 0;
+      result.age += (other.name == name ? "" : " Of the study " + other.name + ": ") +
+                    typeset(escaped(words_of(shelf.of(other.name), age)));
+    }
+    results.push_back(std::move(result));
   }
   return results;
 }

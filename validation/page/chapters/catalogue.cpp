@@ -89,6 +89,7 @@ const std::vector<Study>& catalogue() {
       {.name = "statements",
        .what = "the paper, sentence by sentence; gaps and misprints tried both ways",
        .files = and_members("validation/studies/statements."),
+       .reads = {"ensemble"},
        .measure = measure_statements,
        .chapter = statements},
       {.name = "outlook",
