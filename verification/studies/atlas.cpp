@@ -32,7 +32,7 @@ std::vector<double> ratios_for(bool conservative, const std::vector<double>& zet
 Json measured(const std::string& method, const std::vector<double>& zetas) {
   Json rows = Json::array();
   for (const AtlasLimit& l : limits_of(method, zetas))
-    rows.push_back({l.zeta, kept(l.theory, 6), kept(l.spring, 5), kept(l.contact, 5)});
+    rows.push_back({l.zeta, kept(l.theory, 6), kept(l.spring, 6), kept(l.contact, 6)});
   return rows;
 }
 

@@ -192,13 +192,17 @@ Slope fitted_exponent(const std::vector<Point>& points) {
   return fitted(ruled, &Point::position, 99, &Point::tolerance);
 }
 
+double planned_tolerance(const Series& series, int size) {
+  return 1e-5 * std::pow(1e-5, static_cast<double>(size) / (series.sizes - 1));
+}
+
 std::vector<Point> observe(const std::string& method, const Problem& problem, const Series& series) {
   std::vector<Point> points;
   const bool controlled = is_controlled(method);
   for (int size = 0; size < series.sizes; ++size) {
     Tolerances tolerances;
     if (controlled) {
-      tolerances.relative = 1e-5 * std::pow(1e-5, static_cast<double>(size) / (series.sizes - 1));
+      tolerances.relative = planned_tolerance(series, size);
       tolerances.absolute = tolerances.relative * problem.length;
       tolerances.first_step = problem.duration / 1000;
     }
@@ -215,6 +219,16 @@ std::vector<Point> observe(const std::string& method, const Problem& problem, co
     points.back().tolerance = controlled ? tolerances.relative : 0;
   }
   return points;
+}
+
+double planned_step(const std::string& method, const Problem& problem, const Series& series, int size) {
+  double steps = 0, length = 0;
+  for (int k = 0; k < series.phases; ++k) {
+    const Plan plan = jittered(problem, steps_of(method, problem, series, size), size, k);
+    steps += plan.steps;
+    length += plan.steps * plan.step;
+  }
+  return length / steps;
 }
 
 std::vector<Point> observe_return(const std::string& method, const Problem& problem, const Series& series) {

@@ -67,6 +67,12 @@ Slope fitted_exponent(const std::vector<Point>& points);
 
 std::vector<Point> observe(const std::string& method, const Problem& problem, const Series& series);
 
+// The relative tolerance of a controlled method's point.
+double planned_tolerance(const Series& series, int size);
+
+// The mean step of a point of a fixed-step method, if no event divides a step and no run diverges.
+double planned_step(const std::string& method, const Problem& problem, const Series& series, int size);
+
 // The motion run to its end, reversed and run back to where it came from: the distance from there, as a Point.
 std::vector<Point> observe_return(const std::string& method, const Problem& problem, const Series& series);
 
