@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "validation/page/chapters/chapters.h"
 #include "validation/page/gnuplot.h"
 #include "validation/page/studies.h"
 
@@ -31,9 +32,10 @@ TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
 
 // Scripts of figures change, kept studies stay.
 TEST(Figure, OfEachStudyInTheTreeIsDrawn) {
+  const Evidence of_the_tree{{}, {}, fs::path(FURROW_SOURCE_DIR) / "reference_data/studies", catalogue()};
   Drawings drawings;
   for (const StudyPlace place : {StudyPlace::before_scenes, StudyPlace::after_scenes})
-    EXPECT_NO_THROW(study_sections(fs::path(FURROW_SOURCE_DIR) / "reference_data/studies", place, drawings));
+    EXPECT_NO_THROW(study_sections(of_the_tree, place, drawings));
   EXPECT_GT(drawings.size(), 20u);
 }
 
