@@ -1,7 +1,6 @@
 // `furrow report`: the paper's three scenes and one page about them.
 #include <array>
 #include <atomic>
-#include <cinttypes>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "output/run_files.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "scene/hash.h"
 #include "scene/read.h"
 #include "validation/commands.h"
 #include "validation/page/report.h"
@@ -60,11 +60,9 @@ std::string other_run(const fs::path& directory, const Scene& scene) {
   if (!file) return "there is none";
   const auto json = nlohmann::json::parse(file, nullptr, false);
   if (!json.is_object()) return "its run.json cannot be read";
-  std::array<char, 20> hash{};
-  std::snprintf(hash.data(), hash.size(), "%016" PRIx64, scene_hash(scene));
   const BuildInfo& build = build_info();
   const std::array<std::pair<const char*, nlohmann::json>, 7> wanted{{{"ended", "finished"},
-                                                                      {"scene_hash", hash.data()},
+                                                                      {"scene_hash", hexadecimal(scene_hash(scene))},
                                                                       {"method", scene.time.method},
                                                                       {"step", scene.time.step},
                                                                       {"sources", build.sources},

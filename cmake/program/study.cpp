@@ -7,6 +7,7 @@
 #include "program/progress.h"
 #include "program/usage.h"
 #include "program_with_all.h"
+#include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/golden.h"
@@ -23,6 +24,7 @@ struct StudyOptions {
   bool anew = false;    // nothing that is kept is taken
   bool status = false;  // how old the kept numbers are
   bool check = false;   // a sample of the kept numbers made again
+  bool words = false;   // what the chapter makes of the kept numbers
 };
 
 struct GoldenRequest {
@@ -70,6 +72,45 @@ int status_command(const StudyOptions& options) {
   return good;
 }
 
+std::string cell_text(const Json& cell) {
+  if (cell.is_string()) return cell;
+  return cell.is_number() ? rounded(cell.get<double>(), 3) : "-";
+}
+
+std::string row_text(const Json& row) {
+  std::string text = "|";
+  for (const Json& cell : row) text += " " + cell_text(cell) + " |";
+  return text;
+}
+
+void print_part(const Json& part) {
+  const std::string kind = part.at("kind");
+  if (kind == "heading") std::printf("\n## %s\n", part.at("text").get<std::string>().c_str());
+  if (kind == "text") std::printf("\n%s\n", part.at("text").get<std::string>().c_str());
+  if (kind == "figure" || kind == "table") std::printf("\n%s\n", part.at("caption").get<std::string>().c_str());
+  if (kind != "table") return;
+  std::printf("\n%s\n%s\n", row_text(part.at("head")).c_str(),
+              row_text(std::vector<std::string>(part.at("head").size(), "---")).c_str());
+  for (const Json& row : part.at("rows")) std::printf("%s\n", row_text(row).c_str());
+}
+
+// The chapter in Markdown, without its figures; runs nothing.
+int words_command(const StudyOptions& options) {
+  const Shelf shelf(options.directory);
+  for (const Study* study : studies_asked_for(options)) {
+    const Json chapter = study->chapter(shelf).json();
+    std::printf("# %s\n\n%s\n\n", chapter.at("title").get<std::string>().c_str(),
+                chapter.at("question").get<std::string>().c_str());
+    for (const Json& claim : chapter.at("claims")) {
+      const std::string value = claim.at("value"), aim = claim.at("aim"), text = claim.at("text");
+      std::printf("- %s%s%s%s%s\n", claim.at("holds").get<bool>() ? "" : "Does not hold: ", value.c_str(),
+                  aim.empty() ? "" : (" (aim: " + aim + ")").c_str(), value.empty() ? "" : ": ", text.c_str());
+    }
+    for (const Json& part : chapter.at("parts")) print_part(part);
+  }
+  return good;
+}
+
 // The draw is another one with each commit.
 int check_command(const StudyOptions& options) {
   constexpr double most_cpu = 10;  // s a study
@@ -91,6 +132,7 @@ int check_command(const StudyOptions& options) {
 int study_command(const StudyOptions& options) {
   if (options.status) return status_command(options);
   if (options.check) return check_command(options);
+  if (options.words) return words_command(options);
   if (options.name.empty()) {
     for (const Study& study : validation::catalogue())
       std::printf("%-16s %s\n", study.name.c_str(), study.what.c_str());
@@ -138,6 +180,8 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
   study->add_option("name", studied.name, "name of the study")->type_name("");
   study->add_flag("--anew", studied.anew, "make all numbers, those too that are kept and not old");
   study->add_flag("--status", studied.status, "how old the numbers in --out are, and what changed since; runs nothing");
+  study->add_flag("--words", studied.words,
+                  "what the page says of the numbers in --out, without figures; runs nothing");
   study->add_flag("--check", studied.check, "make a sample of the cheap numbers in --out again and compare");
   auto* ensemble = add_study_options(app.add_subcommand("ensemble", "the scenes over many packings"));
   ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
