@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <vector>
 
 #include "output/files.h"
@@ -33,11 +34,41 @@ Maker maker_in(const Json& report) {
   return maker;
 }
 
-Json value_in(const fs::path& file) {
+// Of a report of Google Benchmark the medians, where something was measured several times, without what no chapter reads.
+Json in_short(Json report) {
+  if (!report.contains("benchmarks")) return report;
+  std::set<std::string> with_median;
+  for (const Json& one : report["benchmarks"]) {
+    if (text_in(one, "aggregate_name") == "median") with_median.insert(one.at("run_name"));
+  }
+  Json kept = Json::array();
+  for (Json one : report["benchmarks"]) {
+    if (with_median.contains(one.at("run_name")) && text_in(one, "aggregate_name") != "median") continue;
+    for (const char* key :
+         {"name", "run_type", "family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads",
+          "aggregate_unit", "iterations", "cpu_seconds", "base_cpu_seconds", "base_instructions"})
+      one.erase(key);
+    kept.push_back(std::move(one));
+  }
+  report["benchmarks"] = std::move(kept);
+  for (const char* key : {"made_by", "caches", "host_name", "executable"}) {
+    if (report.contains("context")) report["context"].erase(key);
+  }
+  return report;
+}
+
+Json whole_value(const fs::path& file) {
   std::ifstream stream(file);
   if (file.extension() == ".json") return Json::parse(stream);
   Json lines = Json::array();
   for (std::string line; std::getline(stream, line);) lines.push_back(Json::parse(line));
+  return lines;
+}
+
+Json value_of(const Json& whole) {
+  if (!whole.is_array()) return in_short(whole);
+  Json lines = Json::array();
+  for (const Json& line : whole) lines.push_back(in_short(line));
   return lines;
 }
 
@@ -54,9 +85,9 @@ void measure_speed(Measurement& measurement) {
                     "scripts/scale make them");
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
-    const Json value = value_in(file);
-    const Json& newest = value.is_array() ? value.back() : value;
-    measurement.take({.key = file.filename(), .timed = true, .value = value}, maker_in(newest));
+    const Json whole = whole_value(file);
+    measurement.take({.key = file.filename(), .timed = true, .value = value_of(whole)},
+                     maker_in(whole.is_array() ? whole.back() : whole));
   }
 }
 

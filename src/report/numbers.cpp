@@ -154,6 +154,7 @@ void Numbers::write(const std::filesystem::path& file) const {
     for (const Json& one : value) lines += (lines.empty() ? "\n" : ",\n") + one.dump();
     text += "[" + lines + "]";
   }
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   replace_file(file, text + "}\n");
 }
 
