@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/failures.h"
 #include "validation/page/chapters/order_parts.h"
 #include "verification/studies/order_cure.h"
 
@@ -131,6 +132,7 @@ Report order(const Shelf& shelf) {
   cure_claims(report, all);
   rebound_claim(report, all);
   blind_claim(report, all);
+  add_failures(report, numbers);
   report.text(how_errors_are_taken(order_series(numbers.quick())));
   kinds_table(report);
   report.figure(matrix_figure(all, false));

