@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "output/build_info.h"
+#include "output/files.h"
 #include "program/progress.h"
 #include "program/usage.h"
 #include "program_with_all.h"
@@ -54,22 +55,31 @@ std::vector<const Study*> studies_asked_for(const StudyOptions& options) {
 
 std::string date(const std::string& when) { return when.substr(0, 10); }
 
+std::string status_of(const Study& study, const std::filesystem::path& directory) {
+  const Age age = age_of(Numbers::read(directory / (study.name + ".json")), study.sources());
+  char counts[64];
+  std::snprintf(counts, sizeof counts, "%8zu %6zu %12s %12s  ", age.results, age.old, date(age.first).c_str(),
+                date(age.last).c_str());
+  std::string changed;
+  for (const std::string& one : age.changed) changed += (changed.empty() ? "" : " ") + one;
+  return counts + changed;
+}
+
 // One line a study: how many numbers, how many of them were made before a source changed that decides them.
 int status_command(const StudyOptions& options) {
   std::printf("%-16s %8s %6s %12s %12s  %s\n", "study", "numbers", "old", "first", "last", "changed since");
+  int status = good;
   for (const Study* study : studies_asked_for(options)) {
-    const std::filesystem::path file = std::filesystem::path(options.directory) / (study->name + ".json");
-    if (!std::filesystem::exists(file)) {
-      std::printf("%-16s missing\n", study->name.c_str());
-      continue;
+    std::string line;
+    try {
+      line = status_of(*study, options.directory);
+    } catch (const FileError& error) {
+      line = error.what();
+      status = io_failed;
     }
-    const Age age = age_of(Numbers::read(file), study->sources());
-    std::string changed;
-    for (const std::string& one : age.changed) changed += (changed.empty() ? "" : " ") + one;
-    std::printf("%-16s %8zu %6zu %12s %12s  %s\n", study->name.c_str(), age.results, age.old, date(age.first).c_str(),
-                date(age.last).c_str(), changed.c_str());
+    std::printf("%-16s %s\n", study->name.c_str(), line.c_str());
   }
-  return good;
+  return status;
 }
 
 std::string cell_text(const Json& cell) {
