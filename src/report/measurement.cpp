@@ -143,7 +143,7 @@ std::pair<Json, double> result_of(const Task& task) {
   }
 }
 
-Measurement::Measurement(std::string study, const Settings& settings, Sources sources)
+Measurement::Measurement(std::string study, const Settings& settings, const Sources& sources)
     : study_(std::move(study)), settings_(settings), maker_(this_maker(sources)) {
   earlier_ = numbers_ = Numbers(study_, form_of(settings.quick));
   if (settings.directory.empty()) return;
@@ -214,9 +214,9 @@ std::vector<Json> Measurement::run(const std::vector<Task>& tasks) {
   return values;
 }
 
-Recomputation::Recomputation(std::string study, const Numbers& kept, Sources sources, std::uint64_t draw,
+Recomputation::Recomputation(std::string study, const Numbers& kept, const Sources& sources, std::uint64_t draw,
                              double most_cpu)
-    : Measurement(std::move(study), {.quick = kept.quick()}, std::move(sources)), draw_(draw), left_(most_cpu) {
+    : Measurement(std::move(study), {.quick = kept.quick()}, sources), draw_(draw), left_(most_cpu) {
   earlier_ = kept;
 }
 

@@ -33,7 +33,7 @@ std::string hash_of_scene(Scene scene);
 class Measurement {
  public:
   // Takes what the same study, in the same form, has left in settings.directory and that is not old.
-  Measurement(std::string study, const Settings& settings, Sources sources);
+  Measurement(std::string study, const Settings& settings, const Sources& sources);
   virtual ~Measurement() = default;
   Measurement(const Measurement&) = delete;
   Measurement& operator=(const Measurement&) = delete;
@@ -71,7 +71,7 @@ std::pair<Json, double> result_of(const Task& task);
 // Makes a sample of the cheap numbers of a study anew, as chosen by `draw`, and returns the kept ones for all else.
 class Recomputation final : public Measurement {
  public:
-  Recomputation(std::string study, const Numbers& kept, Sources sources, std::uint64_t draw, double most_cpu);
+  Recomputation(std::string study, const Numbers& kept, const Sources& sources, std::uint64_t draw, double most_cpu);
   std::vector<Json> run(const std::vector<Task>& tasks) override;
 
   int compared() const { return compared_; }

@@ -15,10 +15,10 @@ constexpr std::array state_path{"src/physics/",     "src/system/",       "src/re
 
 Sources that_decide(const Sources& all, const std::vector<std::string>& own) {
   Sources some;
-  for (const auto& [file, hash] : all) {
-    const auto begins = [&file](const std::string& with) { return file.starts_with(with); };
+  for (const auto& one : all) {
+    const auto begins = [&one](const std::string& with) { return one.first.starts_with(with); };
     if (std::any_of(state_path.begin(), state_path.end(), begins) || std::any_of(own.begin(), own.end(), begins))
-      some.emplace(file, hash);
+      some.insert(one);
   }
   return some;
 }

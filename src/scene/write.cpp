@@ -66,8 +66,6 @@ std::string canonical_text(const Scene& scene) {
   return writer.text();
 }
 
-std::uint64_t scene_hash(const Scene& scene) {
-  return Fnv1a().add(canonical_text(scene)).value();
-}
+std::uint64_t scene_hash(const Scene& scene) { return Fnv1a().add(canonical_text(scene)).value(); }
 
 }  // namespace furrow
