@@ -234,6 +234,30 @@ TEST(Recomputed, ANumberThatDoesNotComeOutIsNamed) {
   EXPECT_EQ(bad.wrong, std::vector<std::string>{"cheap: now 2.0, kept 1.0"});
 }
 
+// A number that is kept as a time would never be made again.
+TEST(Recomputed, NothingComparedIsNotGood) {
+  Place place;
+  made = 1;
+  for (const double cpu : {0.0, 100.0}) {
+    Numbers numbers("s", "full");
+    numbers.add({.key = "cheap", .timed = cpu == 0, .cpu = cpu, .value = 1.0}, this_maker(sources));
+    numbers.add({.key = "time", .timed = true, .value = 1.0}, this_maker(sources));
+    numbers.write(place.path / "s.json");
+    const Checked checked = check_study(two_numbers, place.path, 1, 10);
+    EXPECT_EQ(checked.compared, 0);
+    ASSERT_FALSE(checked.wrong.empty());
+    EXPECT_EQ(checked.wrong.back(), "no number was compared");
+  }
+}
+
+TEST(Recomputed, TheFileOfAnotherStudyIsRefused) {
+  Place place;
+  Numbers numbers("t", "full");
+  numbers.add({.key = "cheap", .value = 1.0}, this_maker(sources));
+  numbers.write(place.path / "s.json");
+  EXPECT_THROW(check_study(two_numbers, place.path, 1, 10), FileError);
+}
+
 TEST(Recomputed, AResultTooFewOrTooManyIsNamed) {
   Place place;
   made = 1;

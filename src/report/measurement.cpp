@@ -227,6 +227,9 @@ std::vector<Json> Recomputation::run(const std::vector<Task>& tasks) {
     const Result* known = earlier_.find(tasks[k].key);
     if (!known) wrong_.push_back(tasks[k].key + ": is not kept");
     if (known && known->input != tasks[k].input) wrong_.push_back(tasks[k].key + ": is of another input");
+    if (known && known->timed != tasks[k].timed)
+      wrong_.push_back(tasks[k].key + ": is kept as a time, or should be one");
+    numbers_there_ = numbers_there_ || !tasks[k].timed;
     values.push_back(known ? known->value : Json{{"failed", "is not kept"}});
     if (known) note(tasks[k], known->value, known->cpu, earlier_.makers().at(known->maker));
     if (known && !known->timed) order.emplace_back(std::hash<std::string>{}(tasks[k].key + std::to_string(draw_)), k);

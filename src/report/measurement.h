@@ -75,6 +75,8 @@ class Recomputation final : public Measurement {
   std::vector<Json> run(const std::vector<Task>& tasks) override;
 
   int compared() const { return compared_; }
+  // Whether the study has results that are no times.
+  bool has_numbers() const { return numbers_there_; }
   // "KEY: now 2, kept 1": what did not come out, or is not kept.
   const std::vector<std::string>& wrong() const { return wrong_; }
 
@@ -82,6 +84,7 @@ class Recomputation final : public Measurement {
   std::uint64_t draw_;
   double left_;  // s
   int compared_ = 0;
+  bool numbers_there_ = false;
   std::vector<std::string> wrong_;
 };
 

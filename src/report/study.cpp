@@ -1,5 +1,6 @@
 #include "report/study.h"
 
+#include "output/files.h"
 #include "report/embedded.h"
 #include "scene/read.h"
 
@@ -97,7 +98,9 @@ std::vector<std::string> run_study(const Study& study, const Settings& settings)
 }
 
 Checked check_study(const Study& study, const fs::path& directory, std::uint64_t draw, double most_cpu) {
-  const Numbers kept = Numbers::read(directory / (study.name + ".json"));
+  const fs::path file = directory / (study.name + ".json");
+  const Numbers kept = Numbers::read(file);
+  if (kept.study() != study.name) throw FileError(file.string() + ": is of the study " + kept.study());
   Recomputation sample(study.name, kept, study.sources(), draw, most_cpu);
   study.measure(sample);
   Checked checked{sample.compared(), sample.wrong()};
@@ -105,6 +108,7 @@ Checked check_study(const Study& study, const fs::path& directory, std::uint64_t
     if (!sample.numbers().find(result.key))
       checked.wrong.push_back(result.key + ": is kept, and no result of the study");
   }
+  if (sample.has_numbers() && checked.compared == 0) checked.wrong.emplace_back("no number was compared");
   return checked;
 }
 
