@@ -32,8 +32,9 @@ inline constexpr double growth_seen = 1e-5;
 // s: the shortest step at which the method's solution grows, even if it does not at a longer one; infinity for a
 // controlled method, which chooses its own, for an implicit one that grows at no step, and for an oscillator that does
 // not move; 0 if it grows at the shortest step tried, a thousandth of 1/omega (damped: of the time of the fastest
-// decay). Within 0.1 %; a growth of less than growth_seen a step is not counted (Adams-Bashforth 2 on an undamped
-// oscillator grows at any step, by (h omega)^4 / 4; 1e-5 is reached at h omega = 0.08).
+// decay) or if the oscillator is not finite. Within 0.1 %; a growth of less than growth_seen a step is not counted
+// (Adams-Bashforth 2 on an undamped oscillator grows at any step, by (h omega)^4 / 4; 1e-5 is reached at h omega =
+// 0.08).
 double largest_stable_step(const std::string& method, const Oscillator& oscillator);
 
 }  // namespace furrow

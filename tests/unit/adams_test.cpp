@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
+#include "methods/method.h"
 #include "methods/stability.h"
 #include "oscillator.h"
 
@@ -172,6 +174,29 @@ TEST(LargestStableStep, OfEachOwnMethodIsThatOfItsPolynomial) {
   EXPECT_NEAR(largest_stable_step("pec", {1, 0}), 0.667, 0.001);
   EXPECT_NEAR(largest_stable_step("pecece", {1, 0}), 1.691, 0.002);
   EXPECT_NEAR(largest_stable_step("rk4", {1, 0}), 2.828, 0.003);
+}
+
+// A step is limited by the decay at 2 zeta omega alone, as it is at a ratio of 1e4 already; 0.1 % is the search's.
+TEST(LargestStableStep, FallsWithTheDampingRatioHoweverLarge) {
+  for (const MethodInfo& method : method_catalogue()) {
+    const double limit = largest_stable_step(method.name, {1, 1e4});
+    for (const double zeta : {3e6, 1e9, 1e17, 1e300}) {
+      const double found = largest_stable_step(method.name, {1, zeta});
+      if (limit < 1e300)
+        EXPECT_NEAR(found * (zeta / 1e4), limit, 1e-3 * limit) << method.name << " at " << zeta;
+      else
+        EXPECT_EQ(found, limit) << method.name << " at " << zeta;
+    }
+  }
+}
+
+TEST(LargestStableStep, OfWhatIsNotFiniteIsNoneForEveryMethodOfFixedSteps) {
+  constexpr double no_number = std::numeric_limits<double>::quiet_NaN(), endless = HUGE_VAL;
+  for (const MethodInfo& method : method_catalogue()) {
+    if (method.controlled) continue;
+    for (const Oscillator& o : {Oscillator{1, endless}, {1, no_number}, {endless, 0.5}, {no_number, 0.5}})
+      EXPECT_EQ(largest_stable_step(method.name, o), 0) << method.name << " at " << o.omega << ", " << o.zeta;
+  }
 }
 
 }  // namespace
