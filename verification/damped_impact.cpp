@@ -35,6 +35,19 @@ TEST(DampedImpact, RestitutionAskedForIsGot) {
   }
 }
 
+// alpha is what stands for sqrt(5) beta in the equation above.
+TEST(DampedImpact, TsujisCoefficientGivesTheRestitutionOfItsEquation) {
+  requirement("normal.restitution");
+  const Units u = units_of(alumina, 3.9);
+  for (const double e : {0.2, 0.7}) {
+    const double last = static_cast<double>(DampedHertz(beta_of(e)).contact_time()) * u.time();
+    Scene scene = scene_of(alumina, u.speed);
+    scene.contact.tsuji_alpha = 2.23606797749979 * beta_of(e);
+    const Impact got = measure(scene, u.mass, {"odeint_dopri5", last / steps, 1.1 * last, tolerance, u.length()});
+    expect("speed after over before, e = " + std::to_string(e), got.rebound, e, controlled(150));
+  }
+}
+
 // Test 3 of the table at e = 1, where the exact solution is Hertz's.
 TEST(DampedImpact, WithoutDampingItIsTheElasticImpactOfTheTable) {
   requirement("normal.restitution");

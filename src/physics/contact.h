@@ -72,6 +72,10 @@ inline double damping_factor(double restitution) {
   return -log_e / std::sqrt(log_e * log_e + pi * pi);
 }
 
+// beta from the coefficient alpha of Tsuji, Tanaka and Ishida, whose viscous force is alpha sqrt(m* K) d^(1/4) d' with
+// K = 4/3 E* sqrt(R*), the factor of d^(3/2) in Fe.
+inline double damping_factor_of_tsuji(double alpha) { return alpha / std::sqrt(5.0); }
+
 // One touching contact as the law sees it.
 struct Touch {
   double overlap;         // m, d >= 0

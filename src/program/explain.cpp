@@ -100,6 +100,9 @@ void print_contacts(const Scene& scene, const System& system) {
            law.rolling);
       line("", "damping ratio %.4g at any overlap%s", ratio,
            ratio > 1 ? ": beyond critical, a contact does not bounce but creeps back" : "");
+      const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+      line("", "that is damping_factor %.4g, tsuji_alpha %.4g, restitution %.4g", beta, std::sqrt(5.0) * beta,
+           beta < 1 ? std::exp(-pi * beta / std::sqrt(1 - beta * beta)) : 0);
     }
   }
 }

@@ -73,16 +73,17 @@ class NumberJudge {
       found_.error("model.rolling_smoothing", wrong("its square", smoothing * smoothing));
     if (!std::isfinite(scene_.model.gravity * scene_.time.end))
       found_.error("model.gravity", wrong("the speed after a fall until time.end", INFINITY), {"time.end"});
-    judge_damping("contact", scene_.contact.damping_factor);
+    judge_damping("contact", scene_.contact);
     for (std::size_t i = 0; i < scene_.contact.pair.size(); ++i)
-      judge_damping(item("contact.pair", i), scene_.contact.pair[i].damping_factor);
+      judge_damping(item("contact.pair", i), scene_.contact.pair[i]);
     if (!std::isfinite(scene_.search.skin * scene_.search.skin))
       found_.error("search.skin", wrong("its square", INFINITY));
   }
 
-  void judge_damping(const std::string& path, const std::optional<double>& beta) {
-    if (beta && !std::isfinite(4 * *beta * *beta))
-      found_.error(path + ".damping_factor", wrong("its square", INFINITY));
+  void judge_damping(const std::string& path, const auto& given) {
+    for (const auto& [key, factor] :
+         {std::pair{".damping_factor", given.damping_factor}, {".tsuji_alpha", given.tsuji_alpha}})
+      if (factor && !std::isfinite(4 * *factor * *factor)) found_.error(path + key, wrong("its square", INFINITY));
   }
 
   static Elastic elastic_of(const Material& m) {

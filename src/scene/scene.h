@@ -63,6 +63,7 @@ struct ContactPair {
   std::vector<std::string> materials{};      // the two names; may be equal
   std::optional<double> damping_factor{};    // beta, -
   std::optional<double> restitution{};       // -, another way to give beta
+  std::optional<double> tsuji_alpha{};       // -, a third
   std::optional<double> friction{};          // mu, -
   std::optional<double> rolling_friction{};  // mu_r, -
 };
@@ -70,6 +71,7 @@ struct ContactPair {
 struct ContactParameters {
   std::optional<double> damping_factor{};  // beta, -
   std::optional<double> restitution{};     // -
+  std::optional<double> tsuji_alpha{};     // -, the coefficient of Tsuji's damping, sqrt(5) beta
   double friction = 0;                     // mu, -
   double rolling_friction = 0;             // mu_r, -
   std::vector<ContactPair> pair{};

@@ -22,11 +22,15 @@ void describe_coefficients(auto& v, auto& c, bool of_pair) {
   const auto text = [&](std::string_view all, std::string_view pair) { return of_pair ? pair : all; };
   v("damping_factor", c.damping_factor,
     {"-", not_negative, "0.3",
-     text("beta of the viscous force. Give this or restitution. Left out, both: no damping.",
-          "beta of the viscous force. Give this or restitution. Left out, both: that of [contact].")});
+     text("beta of the viscous force. Give this, restitution or tsuji_alpha. Left out, all of them: no damping.",
+          "beta of the viscous force. Give this, restitution or tsuji_alpha. Left out, all of them: as [contact] has "
+          "it.")});
   v("restitution", c.restitution,
     {"-", Range{0, 1, true, false}, "0.8",
-     "Speed after an impact, of the speed before; beta follows from it. Give this or damping_factor."});
+     "Speed after an impact, of the speed before, where the contact may pull; beta follows from it."});
+  v("tsuji_alpha", c.tsuji_alpha,
+    {"-", not_negative, "0.7",
+     "alpha of the viscous force as Tsuji, Tanaka and Ishida (1992) write it: beta = alpha / sqrt(5)."});
   v("friction", c.friction,
     {"-", not_negative, "0.5",
      text("mu of sliding: the tangential force is at most mu times the normal one.",

@@ -68,6 +68,20 @@ class Validator {
   }
 
   using Number = std::optional<double>;
+
+  // The ways to give one thing.
+  using Ways = std::vector<std::pair<const char*, Number>>;
+  void at_most_one(const std::string& path, const Ways& ways) {
+    const std::pair<const char*, Number>* first = nullptr;
+    for (const auto& way : ways) {
+      if (first && way.second) not_both(path, first->first, first->second, way.first, way.second);
+      if (!first && way.second) first = &way;
+    }
+  }
+  static Ways ways_of_damping(const auto& c) {
+    return {{"damping_factor", c.damping_factor}, {"restitution", c.restitution}, {"tsuji_alpha", c.tsuji_alpha}};
+  }
+
   void not_both(const std::string& path, const char* a, const Number& a_given, const char* b, const Number& b_given) {
     if (a_given && b_given) fault(path + '.' + b, std::string(a) + " is given too; give one of them", {path + '.' + a});
   }
@@ -86,10 +100,10 @@ class Validator {
   }
 
   void check_contact() {
-    not_both("contact", "damping_factor", scene_.contact.damping_factor, "restitution", scene_.contact.restitution);
+    at_most_one("contact", ways_of_damping(scene_.contact));
     std::map<std::vector<std::string>, std::string> said;
     each("contact.pair", scene_.contact.pair, [&](const std::string& path, const ContactPair& pair) {
-      not_both(path, "damping_factor", pair.damping_factor, "restitution", pair.restitution);
+      at_most_one(path, ways_of_damping(pair));
       std::vector<std::string> names = pair.materials;
       each(path + ".materials", names, [&](const std::string& one, auto& name) { check_material(one, name); });
       if (names.size() != 2) fault(path + ".materials", "must be two names, not " + std::to_string(names.size()));

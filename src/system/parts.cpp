@@ -31,19 +31,20 @@ const ContactPair* pair_of(const ContactParameters& contact, const std::string& 
   return nullptr;
 }
 
-double beta_of(const std::optional<double>& factor, const std::optional<double>& restitution, double otherwise) {
-  if (factor) return *factor;
-  return restitution ? damping_factor(*restitution) : otherwise;
+double beta_of(const auto& given, double otherwise) {
+  if (given.damping_factor) return *given.damping_factor;
+  if (given.restitution) return damping_factor(*given.restitution);
+  return given.tsuji_alpha ? damping_factor_of_tsuji(*given.tsuji_alpha) : otherwise;
 }
 
 void add_laws(const Scene& scene, Parts& parts) {
   parts.materials = static_cast<int>(scene.material.size());
-  const double beta = beta_of(scene.contact.damping_factor, scene.contact.restitution, 0);
+  const double beta = beta_of(scene.contact, 0);
   for (const Material& a : scene.material) {
     for (const Material& b : scene.material) {
       const ContactPair* pair = pair_of(scene.contact, a.name, b.name);
       const ContactPair& own = pair ? *pair : ContactPair{};
-      parts.law.push_back(contact_law(elastic_of(a), elastic_of(b), beta_of(own.damping_factor, own.restitution, beta),
+      parts.law.push_back(contact_law(elastic_of(a), elastic_of(b), beta_of(own, beta),
                                       own.friction.value_or(scene.contact.friction),
                                       own.rolling_friction.value_or(scene.contact.rolling_friction), scene.model.pull));
     }

@@ -59,10 +59,15 @@ void add_options(Scene& s) {
   s.model.disc_mass = either() ? DiscMass::sphere : DiscMass::disc;
   s.model.moment_arm = either() ? MomentArm::radius : MomentArm::contact_point;
   s.model.pull = either();
-  s.contact.damping_factor = part(up_to(3000));
+  (either() ? s.contact.damping_factor : s.contact.tsuji_alpha) = part(up_to(3000));
   s.contact.friction = either() ? part(up_to(1000)) : 0;
   s.contact.rolling_friction = either() ? part(up_to(1000)) : 0;
-  if (either()) s.contact.pair = {{{"soft", "hard"}, {}, 0.5, part(up_to(900)), part(up_to(900))}};
+  if (either()) {
+    s.contact.pair = {{.materials = {"soft", "hard"},
+                       .restitution = 0.5,
+                       .friction = part(up_to(900)),
+                       .rolling_friction = part(up_to(900))}};
+  }
   s.output.energy = either();
   s.search.skin = either() ? 1e-5 * up_to(1000) : 0;
   s.search.cell_size = either() ? 1e-4 * (1 + up_to(1000)) : 0;
@@ -168,7 +173,7 @@ Scene bed_over_blocks(int threads) {
   for (int k = count - 1; k > 0; --k) std::swap(place[k], place[random() % static_cast<std::uint64_t>(k + 1)]);
   Scene s;
   s.material = materials();
-  s.contact = {2.0, {}, 0.4, 0.2, {}};
+  s.contact = {.damping_factor = 2.0, .friction = 0.4, .rolling_friction = 0.2};
   s.search.threads = threads;
   s.wall = {{"", {0, 0}, {0, 1}, "hard"}};
   for (const int k : place) {

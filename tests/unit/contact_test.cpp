@@ -193,6 +193,12 @@ TEST(DampingFactor, OfKnownRestitutions) {
   expect_close(damping_factor(std::exp(-3.14159265358979323846 / std::sqrt(3.0))), 0.5);  // 1/sqrt(1 + 3)
 }
 
+// alpha = 20, a reading of the paper's "damping factor 20": beta = 8.944.
+TEST(DampingFactor, IsTsujisCoefficientOverTheRootOfFive) {
+  expect_close(damping_factor_of_tsuji(20), 8.94427190999916);
+  EXPECT_EQ(damping_factor_of_tsuji(0), 0);
+}
+
 // The law maps a head-on impact to an oscillator of damping ratio beta, so that e = exp(-pi beta/sqrt(1 - beta^2)).
 TEST(DampingFactor, GivesTheRestitutionBack) {
   for (const double e : {0.05, 0.3, 0.7, 0.95}) {

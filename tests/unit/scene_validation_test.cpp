@@ -78,6 +78,12 @@ TEST(SceneValidation, WantsDampingGivenInOneWay) {
             }),
             (Lines{"contact.restitution: damping_factor is given too; give one of them",
                    "contact.pair[0].restitution: damping_factor is given too; give one of them"}));
+  EXPECT_EQ(problems([](Scene& s) {
+              s.contact.tsuji_alpha = s.contact.restitution = 0.5;
+              s.contact.pair = {{.materials = {"soft", "hard"}, .damping_factor = 0.5, .tsuji_alpha = 0.5}};
+            }),
+            (Lines{"contact.tsuji_alpha: restitution is given too; give one of them",
+                   "contact.pair[0].tsuji_alpha: damping_factor is given too; give one of them"}));
 }
 
 TEST(SceneValidation, WantsEachPairOfMaterialsOnce) {
