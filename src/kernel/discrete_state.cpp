@@ -3,10 +3,11 @@
 #include <stdexcept>
 
 #include "kernel/kernel.h"
+#include "system/border.h"
 
 namespace furrow {
 DiscreteState Kernel::discrete_state() const {
-  DiscreteState d{{}, {}, slots_.unused, slots_.now, preparing_};
+  DiscreteState d{{}, {}, slots_.unused, slots_.now, preparing_, search_.faces, search_.border};
   for (int link = 0; link < parts_->link.count(); ++link) {
     if (torn(link)) d.torn.push_back(link);
   }
@@ -33,6 +34,8 @@ void Kernel::restore(const DiscreteState& d) {
     list.near_at[k] = h.near_at;
   }
   search_.keep_only(held, parts_->disc.count());
+  search_.faces = d.faces;
+  search_.border = touched_segments(*parts_, d.torn);
   slots_.unused = d.unused;
   slots_.now = d.jumps;
   preparing_ = d.preparing;

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "kernel/kernel.h"
+#include "system/border.h"
 
 namespace furrow {
 
 JumpReport Kernel::jump(double t, State& y) {
   JumpReport report;
   if (watched_) begin_survey();
+  if (parts_->tight_plates) keep_faces(t, y);
   if (parts_->friction) {
     return_springs(t, y, report);
   } else if (watched_) {
@@ -58,6 +60,36 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
   report.springs_changed = changed || slots_.relaxed;
 }
 
+void Kernel::keep_faces(double t, const State& y) {
+  move_nodes(*parts_, layout_, y, nodes_);
+  const Placement now = placement(t, y);
+  search_.update(*parts_, now, threads_);
+  HeldFaces kept;
+  for (const ContactKind kind : {disc_plate, node_plate}) {
+    const Candidates& list = search_.candidates[kind];
+    for (int k = 0; k < list.count(); ++k) {
+      const ContactId pair{kind, list.a[k], list.b[k]};
+      const Face face = face_after(*parts_, search_.faces, pair, now.of(pair), now.t);
+      if (face != no_face) kept.push_back({kind, pair.a, pair.b, face});
+    }
+  }
+  search_.faces.swap(kept);
+}
+
+int Kernel::slot_of(const ContactId& c) const {
+  const Candidates& list = search_.candidates[c.kind];
+  const auto [first, last] = std::equal_range(list.a.begin(), list.a.end(), c.a);
+  const auto end = list.b.begin() + (last - list.a.begin());
+  const auto found = std::find(list.b.begin() + (first - list.a.begin()), end, c.b);
+  return found == end ? -1 : list.slot[found - list.b.begin()];
+}
+
+int Kernel::slot_followed(const Placement& now, const ContactId& pair) const {
+  if (!parts_->flush_plates) return -1;
+  const int other = felt_instead(*parts_, search_.faces, pair, now.of(pair), now.t);
+  return other < 0 ? -1 : slot_of({pair.kind, pair.a, other});
+}
+
 // Adds half as many slots again, and those wanted now. The new slots are taken last, as if they had always been there:
 // which contact holds which slot does not depend on when room was made.
 void Kernel::grow_slots(int wanting) {
@@ -93,7 +125,17 @@ void Kernel::tear_links(double t, State& y, JumpReport& report) {
   if (parts_->keeps_ledger) released += lattice_contact_energy(t, y);
   for (const Tear& tear : report.torn) torn_[tear.link] = 1;
   std::erase_if(intact_, [this](int k) { return torn_[k] != 0; });
+  if (parts_->new_faces) find_border();
   if (parts_->keeps_ledger) y[layout_.ledger_of(tear_energy)] += released - lattice_contact_energy(t, y);
+}
+
+void Kernel::find_border() {
+  std::vector<int> torn;
+  for (int k = 0; k < parts_->link.count(); ++k) {
+    if (torn_[k] != 0) torn.push_back(k);
+  }
+  search_.border = touched_segments(*parts_, torn);
+  search_.forget();
 }
 
 double Kernel::lattice_contact_energy(double t, const State& y) const {

@@ -9,7 +9,9 @@ namespace furrow {
 Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
     : Solver(parts, make_layout(*parts)), search_(*parts, search) {
   const DefaultFloatingPoint environment;
-  slots_.unused = initial_discrete_state(layout_).unused;
+  const DiscreteState start = initial_discrete_state(*parts_, layout_);
+  slots_.unused = start.unused;
+  search_.border = start.border;
   for (int i = 0; i < parts_->disc.count(); ++i) {
     inverse_mass_.push_back(1 / parts_->disc.mass[i]);
     inverse_inertia_.push_back(1 / parts_->disc.inertia[i]);

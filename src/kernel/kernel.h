@@ -29,6 +29,8 @@ class Kernel final : public Solver {
   DiscreteState discrete_state() const override;
   void restore(const DiscreteState& discrete) override;
   bool torn(int link) const override { return torn_[link] != 0; }
+  Face held_face(const ContactId& contact) const override { return face_of(search_.faces, contact); }
+  const std::vector<int>& border() const override { return search_.border; }
   bool preparing() const override { return preparing_; }
   void prepare(bool preparing) override { preparing_ = preparing; }
   void watch(bool watched) override { watched_ = watched; }
@@ -117,12 +119,18 @@ class Kernel final : public Solver {
   void add_to_ledger(const TouchBatch& batch, int block, double t, double* work) const;
   void grow_slots(int wanting);
   void return_springs(double t, State& y, JumpReport& report);
+  void keep_faces(double t, const State& y);
+  int slot_of(const ContactId& contact) const;
+  int slot_followed(const Placement& now, const ContactId& pair) const;
+  template <class Slots>
+  void follow_springs(double t, const State& y, Slots& slots, State& dydt) const;
   double lattice_contact_energy(double t, const State& y) const;
   void begin_survey();
   void survey_batch(const TouchBatch& batch, int block);
   static Contact contact_of(const TouchBatch& batch, int k);
   void finish_survey();
   void tear_links(double t, State& y, JumpReport& report);
+  void find_border();
 
   bool preparing_ = false;
   int threads_ = 1;
@@ -224,6 +232,25 @@ void Kernel::for_each_touch(double t, const State& y, Sink&& sink) const {
   for_each_flat_batch(t, y, slots, Purpose::observation, sink);
 }
 
+// Springs of contacts that another plate feels instead are that plate's.
+template <class Slots>
+void Kernel::follow_springs(double t, const State& y, Slots& slots, State& dydt) const {
+  const Placement now = placement(t, y);
+  double* rate = dydt.data() + layout_.first_spring;
+  for (const ContactKind kind : {disc_plate, node_plate}) {
+    const Candidates& list = search_.candidates[kind];
+    for (int k = 0; k < list.count(); ++k) {
+      const int own = list.slot[k], leader = own < 0 ? -1 : slot_followed(now, {kind, list.a[k], list.b[k]});
+      if (leader < 0) continue;
+      rate[own] = rate[leader];
+      if constexpr (Slots::jumping) {
+        slots.relaxed = slots.relaxed || slots.spring[own] != slots.spring[leader];
+        slots.spring[own] = slots.spring[leader];
+      }
+    }
+  }
+}
+
 // The rates, and also(batch, block) for each batch. Contacts other than those of two discs come last and count to the
 // first block.
 template <class Slots, class Also>
@@ -239,6 +266,7 @@ void Kernel::sum_rates(double t, const State& y, Slots& slots, State& dydt, Also
   join_blocks();
   if constexpr (Slots::jumping) assign_slots(y, slots, dydt);
   for_each_flat_batch(t, y, slots, purpose, [&](const TouchBatch& c) { add(c, 0); });
+  if (parts_->flush_plates && parts_->friction) follow_springs(t, y, slots, dydt);
   finish_rates(dydt);
 }
 

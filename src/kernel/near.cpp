@@ -16,24 +16,28 @@ void NeighbourSearch::find_flat(const Parts& parts, const Placement& now, Contac
   for (int b = 0; b < static_cast<int>(walls ? parts.wall.size() : parts.plate.size()); ++b) {
     const auto look = [&](int a) {
       ++checks;
-      if (flat_gap(parts, {kind, a, b}, of_disc(kind) ? now.disc(a) : now.node(a), now.t).gap < reach)
-        piece.near.push_back({a, b});
+      const ContactId pair{kind, a, b};
+      if (held_gap(parts, {}, pair, now.of(pair), now.t).gap < reach) piece.near.push_back({a, b});
     };
     if (walls) {
       checks += bodies.near_wall(parts.wall[b], reach, look);
     } else {
-      const Rectangle plate = rectangle_at(parts.plate[b], now.t);
+      const Rectangle plate = whole_at(parts.plate[b], now.t);
       checks += bodies.near_box({plate.left, plate.right}, {plate.lower, plate.upper}, reach, look);
     }
   }
+  for (const HeldFace& held : faces) {
+    if (held.kind == kind) piece.near.push_back({held.a, held.b});
+  }
   std::sort(piece.near.begin(), piece.near.end());
+  piece.near.erase(std::unique(piece.near.begin(), piece.near.end()), piece.near.end());
 }
 
 // Discs near the border segments, and the lattices that these are of.
 void NeighbourSearch::find_segments(const Parts& parts, const Placement& now, Piece& piece) {
   const double reach = margin + skin_;
   near_border_.clear();
-  for (int s = 0; s < parts.border.count(); ++s) {
+  for (const int s : border) {
     const Vec2 a = now.node(parts.border.a[s]), b = now.node(parts.border.b[s]);
     const auto look = [&](int disc) {
       const double within = parts.disc.radius[disc] + reach;

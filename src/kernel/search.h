@@ -10,6 +10,7 @@
 
 #include "kernel/size_classes.h"
 #include "system/discrete.h"
+#include "system/held_faces.h"
 #include "system/order.h"
 #include "system/surface.h"
 
@@ -28,6 +29,7 @@ struct Placement {
   const double *disc_x, *disc_y, *node_x, *node_y;  // m
   Vec2 disc(int i) const { return {disc_x[i], disc_y[i]}; }
   Vec2 node(int n) const { return {node_x[n], node_y[n]}; }
+  Vec2 of(const ContactId& pair) const { return of_disc(pair.kind) ? disc(pair.a) : node(pair.a); }
 };
 
 // Pairs of one kind that may touch, sorted by (a, b). a: disc or node; b: disc, wall, plate or lattice.
@@ -61,7 +63,12 @@ class NeighbourSearch {
   // Replaces the lists by these pairs, which all hold a slot and are sorted.
   void keep_only(const std::array<Candidates, contact_kinds>& held, int discs);
 
-  double margin = 0;  // m, Parts::margin
+  // The lists are no longer good.
+  void forget() { made_ = false; }
+
+  double margin = 0;        // m, Parts::margin
+  HeldFaces faces;          // of plates, that bodies keep: listed as long as they do
+  std::vector<int> border;  // segments that discs touch
   std::array<Candidates, contact_kinds> candidates;
   std::vector<DiscBlock> blocks;
   struct Contribution {

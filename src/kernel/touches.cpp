@@ -179,7 +179,7 @@ Kernel::Facing Kernel::facing_lattice(const Placement& now, int candidate, int n
 }
 
 Kernel::Facing Kernel::facing_wall_or_plate(const Placement& now, double t, const ContactId& pair) const {
-  const Gap gap = flat_gap(*parts_, pair, of_disc(pair.kind) ? now.disc(pair.a) : now.node(pair.a), now.t);
+  const Gap gap = held_gap(*parts_, search_.faces, pair, now.of(pair), now.t);
   if (!of_plate(pair.kind)) return {gap, 0, 0};
   const PlateAt at = plate_at(parts_->plate[pair.b], t, preparing_);
   return {gap, at.vx, at.vy};
@@ -224,7 +224,7 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& 
     if (other.gap.gap < 0)
       put_flat<kind>(k, other, y, c.count++);
     else if constexpr (Slots::jumping)
-      slots.relax(list.slot[k]);
+      if (!of_plate(kind) || slot_followed(now, {kind, list.a[k], list.b[k]}) < 0) slots.relax(list.slot[k]);
   }
 }
 

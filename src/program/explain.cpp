@@ -40,6 +40,11 @@ void print_modelled(const Scene& scene, const System& system) {
   }
   line("walls, plates", "%s, %s; no numbers: they do not react", count(parts.wall.size(), "wall").c_str(),
        count(parts.plate.size(), "plate").c_str());
+  if (parts.tight_plates && !parts.plate.empty())
+    line("faces of plates", "bodies keep the one that they met, however deep; %s",
+         parts.flush_plates ? "flush plates are one surface" : "no plates are flush");
+  if (parts.new_faces && parts.link.count() > 0)
+    line("new faces", "the border of a lattice is found again after each tear");
   if (system.spring_count() > 0)
     line("tangential springs", "room for %d contacts with friction", system.spring_count());
   if (system.threads() > 1) line("threads", "%d share a step; they change no bit", system.threads());
@@ -72,7 +77,11 @@ void print_left_out(const Scene& scene, const System& system) {
   }
   if (parts.link.count() > 0 && scene.time.locate == Locate::none)
     line("tears within a step", "are seen at its end (time.locate = \"tears\" ends it there)");
-  if (parts.lattice.size() > 1) line("lattices", "do not touch each other");
+  if (!parts.tight_plates && !parts.plate.empty())
+    line("faces of plates",
+         "are not kept: a centre past the middle of a plate comes out behind it (model.tight_plates)");
+  if (!parts.lattice.empty())
+    line("lattices", "and parts of a torn one do not touch each other; run.json says where they cross");
   print_borders(scene, parts);
   if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
 }

@@ -53,7 +53,9 @@ void print_disc(const Parts& parts, int i) {
 // to half of that beside the foot of the perpendicular.
 void print_borders(const Scene& scene, const Parts& parts) {
   if (parts.node.count() == 0 || parts.disc.count() == 0) return;
-  line("inner nodes", "touch no disc; a link that tears opens the border, and no new border is found");
+  line("inner nodes", "touch no disc%s",
+       parts.new_faces ? " as long as no link around them tears"
+                       : "; a link that tears opens the border, and no new border is found (model.new_faces)");
   const double least = *std::min_element(parts.disc.radius.begin(), parts.disc.radius.end());
   for (const Lattice& l : scene.lattice) {
     if (l.auxiliary_points == 0) continue;
@@ -92,6 +94,7 @@ void print_allowed(const Scene& scene) {
   if (a.behind_walls) line("walls", "centres of discs may lie behind them");
   if (a.through_plates) line("plates", "centres may cross them");
   if (a.through_lattices) line("lattices", "centres may cross their borders");
+  if (a.crossing_lattices.value_or(false)) line("lattices", "they, or parts of a torn one, may cross each other");
 }
 
 void print_arrival(const Timing& time, const Prepared& prepared) {

@@ -55,7 +55,8 @@ Proximity across(const Moment& now, const Gap& gap) {
 }
 
 Proximity to_wall_or_plate(const Moment& now, const ContactId& pair) {
-  return across(now, flat_gap(now.parts, pair, body_a(now, pair).at, now.discrete.preparing ? 0 : now.t));
+  const double t = now.discrete.preparing ? 0 : now.t;
+  return across(now, held_gap(now.parts, now.discrete.faces, pair, body_a(now, pair).at, t));
 }
 
 // The nearest point of the border; of two equally near the one on the first segment.
@@ -65,7 +66,7 @@ Proximity to_lattice(const Moment& now, const ContactId& pair) {
   const int auxiliary = now.parts.lattice[pair.b].auxiliary_points;
   NearestOnSegment nearest{infinity, 0, 0, 0};
   int segment = -1;
-  for (int s = 0; s < border.count(); ++s) {
+  for (const int s : now.discrete.border) {
     if (border.lattice[s] != pair.b) continue;
     const Vec2 i = node_of(now, border.a[s]).at;
     const Vec2 j = node_of(now, border.b[s]).at;
@@ -148,6 +149,14 @@ Proximity proximity(const Moment& now, const ContactId& pair) {
     default:
       return to_wall_or_plate(now, pair);
   }
+}
+
+int slot_followed(const Moment& now, const DiscreteState::Held& held) {
+  const ContactId pair{static_cast<ContactKind>(held.kind), held.a, held.b};
+  if (!now.parts.flush_plates || !of_plate(pair.kind)) return -1;
+  const double t = now.discrete.preparing ? 0 : now.t;
+  const int other = felt_instead(now.parts, now.discrete.faces, pair, body_a(now, pair).at, t);
+  return other < 0 ? -1 : slot_of(now.discrete, {pair.kind, pair.a, other});
 }
 
 Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near) {

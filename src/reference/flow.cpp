@@ -152,6 +152,10 @@ void flow(const Moment& now, State& rates) {
   for (const Contact& c : touching) {
     if (c.slot >= 0) rates[at.spring_of(c.slot)] = c.touch.slip;  // xi' = vt
   }
+  for (const DiscreteState::Held& held : now.discrete.held) {
+    const int leader = slot_followed(now, held);
+    if (leader >= 0) rates[at.spring_of(held.slot)] = rates[at.spring_of(leader)];
+  }
   if (parts.keeps_ledger) book(at, sums, rates);
 }
 

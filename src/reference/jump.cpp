@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reference/reference.h"
+#include "system/border.h"
 #include "system/order.h"
 
 namespace furrow::reference {
@@ -67,6 +68,19 @@ class Slots {
   Growth grown_;
 };
 
+// The springs of contacts that another plate feels instead are that plate's. True if one was not.
+bool follow_springs(const Moment& now, State& y) {
+  bool changed = false;
+  for (const DiscreteState::Held& held : now.discrete.held) {
+    const int leader = slot_followed(now, held);
+    if (leader < 0) continue;
+    double& spring = y[now.layout.spring_of(held.slot)];
+    changed = changed || spring != y[now.layout.spring_of(leader)];
+    spring = y[now.layout.spring_of(leader)];
+  }
+  return changed;
+}
+
 // |xi| <= mu Fn / St; the energy that this frees is heat of friction. Without a touch a spring holds nothing.
 bool return_springs(const Moment& now, State& y) {
   std::vector<double> freed(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));  // J, block by block
@@ -83,14 +97,26 @@ bool return_springs(const Moment& now, State& y) {
       spring = returned_spring(coulomb_limit(law, c.force), c.force, before);
       freed[pair.kind == disc_disc ? block_of(pair.a) : 0] +=
           0.5 * c.force.shear_stiffness * (before * before - spring * spring);
-    } else {
+    } else if (slot_followed(now, held) < 0) {
       spring = 0;
     }
     changed = changed || spring != before;
   }
   for (std::size_t k = 1; k < freed.size(); ++k) freed[0] += freed[k];
   if (now.parts.keeps_ledger) y[now.layout.ledger_of(friction_work)] = freed[0];
-  return changed;
+  return follow_springs(now, y) || changed;
+}
+
+// The faces of plates that bodies keep from now on.
+HeldFaces faces_after(const Moment& now) {
+  HeldFaces kept;
+  for_each_pair(now.parts, [&](const ContactId& pair) {
+    if (!of_plate(pair.kind)) return;
+    const Vec2 at = of_disc(pair.kind) ? disc_of(now, pair.a).at : node_of(now, pair.a).at;
+    const Face face = face_after(now.parts, now.discrete.faces, pair, at, now.discrete.preparing ? 0 : now.t);
+    if (face != no_face) kept.push_back({pair.kind, pair.a, pair.b, face});
+  });
+  return kept;
 }
 
 // J, in the contacts of lattices.
@@ -102,8 +128,7 @@ double energy_on_lattices(const Moment& now) {
   return energy;
 }
 
-// Links over their strength. A torn segment of the border has only its end nodes left; what energy the contacts there
-// lose by it is booked as torn.
+// Links over their strength. What energy the contacts with the border lose by its change is booked as torn.
 std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& y) {
   const LinkArrays& link = now.parts.link;
   std::vector<Tear> tears;
@@ -121,6 +146,7 @@ std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& 
   if (now.parts.keeps_ledger) released += energy_on_lattices(now);
   for (const Tear& tear : tears) discrete.torn.push_back(tear.link);
   std::sort(discrete.torn.begin(), discrete.torn.end());
+  discrete.border = touched_segments(now.parts, discrete.torn);
   if (now.parts.keeps_ledger) y[now.layout.ledger_of(tear_energy)] += released - energy_on_lattices(now);
   return tears;
 }
@@ -130,13 +156,14 @@ std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& 
 bool Reference::torn(int link) const { return is_torn(discrete_, link); }
 
 Reference::Reference(const std::shared_ptr<const Parts>& parts)
-    : Solver(parts, make_layout(*parts)), discrete_(initial_discrete_state(layout_)) {}
+    : Solver(parts, make_layout(*parts)), discrete_(initial_discrete_state(*parts, layout_)) {}
 
-// First slots, then springs, then the survey, then tears: springs are cut to the limit of a torn border at the next
-// jump.
+// First held faces, then slots, then springs, then the survey, then tears: springs are cut to the limit of a torn
+// border at the next jump.
 JumpReport Reference::jump(double t, State& y) {
   const Moment now{*parts_, layout_, discrete_, t, y};
   JumpReport report;
+  if (parts_->tight_plates) discrete_.faces = faces_after(now);
   if (parts_->friction) {
     report.grown = Slots(*parts_, layout_, discrete_, y).hand_out(t);
     report.springs_changed = return_springs(now, y);
@@ -162,6 +189,7 @@ void Reference::restore(const DiscreteState& discrete) {
   if (!belongs_to(discrete, *parts_) || (layout_.dummy_slots == 0 && discrete.spring_count() > 0))
     throw std::invalid_argument("the discrete state is not one of this scene");
   discrete_ = discrete;
+  discrete_.border = touched_segments(*parts_, discrete.torn);
   layout_.spring_count = discrete.spring_count();
 }
 

@@ -2,12 +2,13 @@
 // be read and to judge the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
 //
 // Read physics/contact.h (the law), system/contact.h (which radius, mass, arm and normal), system/discrete.h (the life
-// of a tangential spring), system/layout.h (the state and the balance of energy), system/order.h (the order of sums),
-// then
+// of a tangential spring), system/held_faces.h (which face of a plate a body keeps), system/border.h (what of a torn
+// lattice discs touch), system/layout.h (the state and the balance of energy), system/order.h (the order of sums), then
 //
 //   contact.cpp   one contact: where two parts touch, how they move there, and what the law answers
 //   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger
-//   jump.cpp      after each accepted step: slots handed out, springs returned to the Coulomb limit, links torn
+//   jump.cpp      after each accepted step: faces of plates kept, slots handed out, springs returned to the Coulomb
+//                 limit, links torn
 #pragma once
 
 #include <functional>
@@ -51,6 +52,9 @@ Proximity proximity(const Moment& now, const ContactId& pair);
 // The contact of a pair that touches.
 Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near);
 
+// The slot whose spring that of this contact follows, because another plate feels the body; -1: none.
+int slot_followed(const Moment& now, const DiscreteState::Held& held);
+
 // Every pair that there can be, in the order of the sums: see system/order.h.
 void for_each_pair(const Parts& parts, const std::function<void(const ContactId&)>& for_pair);
 
@@ -71,6 +75,8 @@ class Reference final : public Solver {
   DiscreteState discrete_state() const override { return discrete_; }
   void restore(const DiscreteState& discrete) override;
   bool torn(int link) const override;
+  Face held_face(const ContactId& contact) const override { return face_of(discrete_.faces, contact); }
+  const std::vector<int>& border() const override { return discrete_.border; }
   bool preparing() const override { return discrete_.preparing; }
   void prepare(bool preparing) override { discrete_.preparing = preparing; }
   void watch(bool watched) override { watched_ = watched; }

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "scene/border.h"
 
 namespace furrow {
 namespace {
@@ -68,6 +71,19 @@ bool inside_box(Vec2 p, double half_width, double half_height) {
 
 }  // namespace
 
+namespace {
+
+// A body that the plate felt, or was about to, keeps its face.
+bool kept_face(const System& system, const ContactId& contact, Vec2 from) {
+  const Parts& parts = system.parts();
+  const PlatePart& p = parts.plate[contact.b];
+  const double radius = of_disc(contact.kind) ? parts.disc.radius[contact.a] : 0;
+  const Rectangle box{-0.5 * p.width, 0.5 * p.width, -0.5 * p.height, 0.5 * p.height};
+  return parts.tight_plates && nearest_on_rectangle(from, box).distance - radius < parts.margin;
+}
+
+}  // namespace
+
 bool crosses_plate(const System& system, const Step& s, const ContactId& contact) {
   const Parts& parts = system.parts();
   const PlatePart& p = parts.plate[contact.b];
@@ -75,11 +91,20 @@ bool crosses_plate(const System& system, const Step& s, const ContactId& contact
   const Path path = path_from_plate(system, s, contact.b, body);
   const bool upright = p.width <= p.height;
   const double from = upright ? path.from.x : path.from.y, to = upright ? path.to.x : path.to.y;
-  if ((from > 0) == (to > 0)) return false;
+  if ((from > 0) == (to > 0) || kept_face(system, contact, path.from)) return false;
   const double share = from / (from - to);
   const double start = upright ? path.from.y : path.from.x, end = upright ? path.to.y : path.to.x;
   return std::fabs(start + share * (end - start)) <= 0.5 * std::max(p.width, p.height);
 }
+
+namespace {
+
+bool share_a_node(const BorderArrays& border, int one, int other) {
+  return border.a[one] == border.a[other] || border.a[one] == border.b[other] || border.b[one] == border.a[other] ||
+         border.b[one] == border.b[other];
+}
+
+}  // namespace
 
 bool crosses_border(const System& system, const Step& s, const Survey::Near& near) {
   const BorderArrays& border = system.parts().border;
@@ -88,7 +113,75 @@ bool crosses_border(const System& system, const Step& s, const Survey::Near& nea
         segment >= 0 && segment < border.count() && border.lattice[segment] == border.lattice[near.segment];
     return there && crosses_segment(system, s, near.contact.a, segment);
   };
-  return crosses(near.segment - 1) || crosses(near.segment) || crosses(near.segment + 1);
+  if (!system.parts().new_faces) return crosses(near.segment - 1) || crosses(near.segment) || crosses(near.segment + 1);
+  return std::any_of(system.border().begin(), system.border().end(),
+                     [&](int segment) { return share_a_node(border, segment, near.segment) && crosses(segment); });
+}
+
+namespace {
+
+struct StandingSegment {
+  int segment;
+  Vec2 a, b;
+  Box box;
+};
+
+// Without links across cells, which cross each other from the start on.
+std::vector<StandingSegment> standing_segments(const System& system, const State& y) {
+  const BorderArrays& border = system.parts().border;
+  std::vector<StandingSegment> standing;
+  for (const int s : system.border()) {
+    const int link = border.link[s];
+    if (border.a[s] == border.b[s]) continue;
+    if (link >= 0 && (system.torn(link) || system.parts().link.kind[link] == LinkClass::shear)) continue;
+    StandingSegment one{s, node_place(system, y, border.a[s]), node_place(system, y, border.b[s]), {}};
+    one.box.add(one.a);
+    one.box.add(one.b);
+    standing.push_back(one);
+  }
+  std::sort(standing.begin(), standing.end(), [](const StandingSegment& p, const StandingSegment& q) {
+    return p.box.left < q.box.left || (p.box.left == q.box.left && p.segment < q.segment);
+  });
+  return standing;
+}
+
+std::vector<char> torn_lattices(const System& system) {
+  const Parts& parts = system.parts();
+  std::vector<char> torn(parts.lattice.size(), 0);
+  for (int k = 0; k < parts.link.count(); ++k) {
+    if (system.torn(k)) torn[parts.node.lattice[parts.link.a[k]]] = 1;
+  }
+  return torn;
+}
+
+std::string names_of(const System& system, int one, int other) {
+  const auto name = [&](int segment) {
+    const int lattice = system.parts().border.lattice[segment];
+    const std::string& given = system.parts().lattice[lattice].name;
+    return "lattice " + (given.empty() ? std::to_string(lattice) : given);
+  };
+  return name(one) == name(other) ? "parts of " + name(one) : name(one) + " and " + name(other);
+}
+
+}  // namespace
+
+CrossingBorders crossing_borders(const System& system, const State& y) {
+  const BorderArrays& border = system.parts().border;
+  const std::vector<char> torn = torn_lattices(system);
+  CrossingBorders found;
+  if (torn.size() == 1 && torn[0] == 0) return found;
+  const std::vector<StandingSegment> standing = standing_segments(system, y);
+  for (std::size_t i = 0; i < standing.size(); ++i) {
+    const StandingSegment& p = standing[i];
+    for (std::size_t k = i + 1; k < standing.size() && standing[k].box.left <= p.box.right; ++k) {
+      const StandingSegment& q = standing[k];
+      const bool apart = border.lattice[p.segment] != border.lattice[q.segment] || torn[border.lattice[p.segment]] != 0;
+      if (!apart || share_a_node(border, p.segment, q.segment) || !p.box.meets(q.box)) continue;
+      if (segments_cross(p.a, p.b, q.a, q.b) && ++found.pairs == 1)
+        found.where = names_of(system, std::min(p.segment, q.segment), std::max(p.segment, q.segment));
+    }
+  }
+  return found;
 }
 
 ContactId stepped_over(const System& system, const Step& s) {

@@ -1,6 +1,8 @@
 // Whether a centre passes through something in a step: straight paths between two states, seen from what it passes.
 #pragma once
 
+#include <string>
+
 #include "run/system.h"
 #include "system/survey.h"
 
@@ -12,11 +14,19 @@ struct Step {
   const State &before, &after;
 };
 
-// Whether disc or node `contact.a` crossed the middle of the plate contact.b, between its two larger faces.
+// Whether disc or node `contact.a` crossed the middle of the plate contact.b, between its two larger faces; where faces
+// are kept, in a step that began too far away to be on one.
 bool crosses_plate(const System& system, const Step& step, const ContactId& contact);
 
 // Whether disc `near.contact.a` crossed the border segment near.segment or one next to it, while whole.
 bool crosses_border(const System& system, const Step& step, const Survey::Near& near);
+
+// Pairs of border segments that cross each other, of two lattices or of one that has torn, and of what the first are.
+struct CrossingBorders {
+  int pairs = 0;
+  std::string where{};
+};
+CrossingBorders crossing_borders(const System& system, const State& y);
 
 // The first disc or node that in this step came from one side of a plate to another and touches it neither before nor
 // after: the plate stepped over it. a = -1: none.

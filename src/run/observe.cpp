@@ -101,7 +101,8 @@ std::vector<Stress> disc_stresses(const System& system, double t, const State& y
   std::vector<Stress> stress(disc.radius.size(), Stress::Zero());
   system.for_each_contact(t, y, [&](const Contact& c) {
     if (!of_disc(c.id.kind)) return;
-    const Eigen::Vector2d normal(c.nx, c.ny);
+    Eigen::Vector2d normal(c.nx, c.ny);
+    if (system.parts().tight_plates) normal.normalize();  // shorter in a corner, see physics/held_face.h
     const Eigen::Vector2d force(c.fx, c.fy);
     stress[c.id.a] += stress_moment(c.arm_a * normal, force) / disc.volume[c.id.a];
     if (c.id.kind == disc_disc) stress[c.id.b] += stress_moment(-c.arm_b * normal, -force) / disc.volume[c.id.b];

@@ -86,6 +86,11 @@ std::uint64_t System::state_hash(const State& y) const {
     hash.add_word(std::bit_cast<std::uint64_t>(y[springs + k]));
   }
   for (int k = 0; k < parts().link.count(); ++k) hash.add_word(torn(k) ? 1 : 0);
+  if (!parts().tight_plates) return hash.value();
+  for (const HeldFace& f : discrete_state().faces) {
+    for (const int number : {f.kind, f.a, f.b, static_cast<int>(f.face)})
+      hash.add_word(static_cast<std::uint64_t>(number));
+  }
   return hash.value();
 }
 

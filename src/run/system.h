@@ -73,6 +73,8 @@ class System : public OdeSystem {
   const Layout& layout() const { return solver_->layout(); }
   const Solver& solver() const { return *solver_; }
   bool torn(int link) const { return solver_->torn(link); }
+  Face held_face(const ContactId& contact) const { return solver_->held_face(contact); }
+  const std::vector<int>& border() const { return solver_->border(); }
   bool has_friction() const { return parts().friction; }
   bool has_rolling() const { return parts().rolling; }
   bool keeps_ledger() const { return parts().keeps_ledger; }
@@ -96,7 +98,8 @@ class System : public OdeSystem {
   }
   NodeMotion nodes(const State& y) const;
 
-  // 64-bit FNV-1a of the bits of positions, velocities, spins, springs and of which links are torn.
+  // 64-bit FNV-1a of the bits of positions, velocities, spins, springs and of which links are torn, and of the
+  // faces of plates that bodies keep.
   std::uint64_t state_hash(const State& y) const;
 
  private:

@@ -12,11 +12,11 @@
 namespace furrow {
 namespace {
 
-constexpr long balance_every = 200;    // steps, at the energy
-constexpr double renew_beyond = 1.1;   // times what was there when it was looked at last
-constexpr double judge_beyond = 1.25;  // times the rate that the step was judged by
-constexpr double round_off = 1e-10;    // of the sum of all energies: below, a residual is none;
-constexpr double first_touch = 1e-6;   // the same, of m v^2 / 2 of the lightest body at the greatest speed
+constexpr long balance_every = 200, borders_every = 50;  // steps, at the energy and at what crosses
+constexpr double renew_beyond = 1.1;                     // times what was there when it was looked at last
+constexpr double judge_beyond = 1.25;                    // times the rate that the step was judged by
+constexpr double round_off = 1e-10;                      // of the sum of all energies: below, a residual is none;
+constexpr double first_touch = 1e-6;  // the same, of m v^2 / 2 of the lightest body at the greatest speed
 
 struct Rule {
   WatchKind kind;
@@ -32,6 +32,8 @@ constexpr std::array<Rule, watch_kinds> rules{{
     {WatchKind::behind_walls, "behind_walls", 0, 0, "discs whose centres are behind a wall: ", ""},
     {WatchKind::through_plates, "through_plates", 0, 0, "centres that have crossed the middle of a plate: ", ""},
     {WatchKind::through_lattices, "through_lattices", 0, 0, "centres that have crossed the border of a lattice: ", ""},
+    {WatchKind::crossing_lattices, "crossing_lattices", 0, infinity,
+     "lattices reach through each other; pairs of segments that cross: ", ""},
     {WatchKind::impact, "impact", 1, infinity, "a contact has ",
      " times the energy that carries the one through the other"},
     {WatchKind::step, "step", 0.5, infinity, "the step is ", " times the largest stable one"},
@@ -39,11 +41,11 @@ constexpr std::array<Rule, watch_kinds> rules{{
      " times the largest stable one of an impact that may come"},
 }};
 
+// Greatest speed of a body, and how far one moved.
 struct Fastest {
   double squared = 0, moved_squared = 0;
 };
 
-// Greatest speed of a body, and how far one moved, both squared.
 FURROW_WIDE Fastest fastest_lanes(const double* before, const double* y, std::size_t n) {
   constexpr int lanes = 8;
   double speed[lanes] = {}, move[lanes] = {};
@@ -83,13 +85,13 @@ std::optional<double> allowed(const Scene& scene, WatchKind kind) {
       return any(a.through_plates);
     case WatchKind::through_lattices:
       return any(a.through_lattices);
+    case WatchKind::crossing_lattices:
+      return any(a.crossing_lattices.value_or(false));
     case WatchKind::step:
       return a.step;
-    case WatchKind::impact:
-    case WatchKind::arrival:
-      break;
+    default:
+      return {};
   }
-  return {};
 }
 
 std::string allowance(const std::string& method, const StiffPart& part, double limit) {
@@ -128,9 +130,8 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
     w.ends_above = rule.ends_above;
     w.allowed = furrow::allowed(scene, rule.kind);
   }
-  const bool ledger = system.keeps_ledger();
-  watch_[static_cast<std::size_t>(WatchKind::energy_made)].watched = ledger;
-  watch_[static_cast<std::size_t>(WatchKind::energy_lost)].watched = ledger;
+  for (const WatchKind kind : {WatchKind::energy_made, WatchKind::energy_lost})
+    of(kind).watched = system.keeps_ledger();
   step_ = make_method(scene.time.method)->info().controlled ? scene.time.max_step : scene.time.step;
   const Parts& parts = system.parts();
   extremes_.plate.resize(parts.plate.size());
@@ -148,6 +149,7 @@ void Validity::history(HistoryVisitor& visit) {
   visit("supplied", supplied_);
   visit("plate power", plate_power_);
   visit("since booked", since_booked_);
+  visit("since crossed", since_crossed_);
   visit("stepped overlap", stepped_overlap_);
   visit("stepped contacts", stepped_contacts_);
   stiffest_->part.history(visit);
@@ -193,6 +195,7 @@ void Validity::see(const Step& step, const JumpReport& report) {
   look_at_plates(step.t, survey);
   look_at_contacts(step.t, survey);
   if (!survey.near.empty() && step.h > 0) look_for_crossings(step, survey);
+  look_at_borders(step);
   look_at_step(step, survey);
   look_at_arrival(step.t);
   if (system_.keeps_ledger() && (!started_ || ++since_booked_ >= balance_every))
@@ -236,6 +239,12 @@ void Validity::look_for_crossings(const Step& step, const Survey& survey) {
     const WatchKind kind = border ? WatchKind::through_lattices : WatchKind::through_plates;
     look(kind, step.t, of(kind).worst + 1, [&] { return contact_name(system_.parts(), near.contact); });
   }
+}
+
+void Validity::look_at_borders(const Step& step) {
+  if (system_.parts().lattice.empty() || (since_crossed_++ % borders_every) != 0) return;
+  const CrossingBorders found = crossing_borders(system_, step.after);
+  look(WatchKind::crossing_lattices, step.t, found.pairs, [&] { return found.where; });
 }
 
 // The spectrum of the contacts changes with how many there are and how deep.

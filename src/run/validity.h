@@ -7,6 +7,8 @@
 //   behind_walls     discs whose centres are behind a wall, at once                    0              0
 //   through_plates   centres that crossed the middle of a plate                        0              0
 //   through_lattices centres that crossed a whole border segment                       0              0
+//   crossing_lattices pairs of border segments that cross: of two lattices, or of       0               -
+//                    parts of a torn one, which do not touch each other
 //   impact           energy of a contact, of what carries the one through the other   1               -
 //   step             step, of the largest stable one at the contacts that are there   0.5             -
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -
@@ -15,7 +17,8 @@
 // Overlap: at 0.1 a contact is 0.3 radii wide, too wide for Hertz's half-space; at 1 a centre reaches the other's
 // surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
 // means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
-// Energy is looked at where rows are written and every 200 steps, since what was made stays in the residual; the step
+// Energy is looked at where rows are written and every 200 steps, since what was made stays in the residual; crossing
+// lattices every 50 steps; the step
 // when contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by
 // the fastest that there was; all else at each step.
 #pragma once
@@ -38,11 +41,12 @@ enum class WatchKind {
   behind_walls,
   through_plates,
   through_lattices,
+  crossing_lattices,
   impact,
   step,
   arrival
 };
-inline constexpr int watch_kinds = 9;
+inline constexpr int watch_kinds = 10;
 
 enum class Verdict { not_watched, kept, allowed, warned, broken };
 const char* to_string(Verdict verdict);
@@ -107,6 +111,7 @@ class Validity {
   void look_at_contacts(double t, const Survey& survey);
   void look_at_plates(double t, const Survey& survey);
   void look_for_crossings(const Step& step, const Survey& survey);
+  void look_at_borders(const Step& step);
   void look_at_step(const Step& step, const Survey& survey);
   void judge_step();
   void look_at_arrival(double t);
@@ -125,6 +130,7 @@ class Validity {
   double supplied_ = 0;                                // J, the most so far
   double plate_power_ = 0;                             // W, of the last step
   long since_booked_ = 0;                              // steps
+  long since_crossed_ = 0;                             // steps with lattices
   double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last
   struct Stiffest;
   std::unique_ptr<Stiffest> stiffest_;  // that there was, and by which the step was judged

@@ -27,7 +27,9 @@ struct Model {
   DiscMass disc_mass = DiscMass::disc;
   double disc_depth = 1;  // m, b in the disc reading of the mass
   MomentArm moment_arm = MomentArm::contact_point;
-  bool pull = false;             // a contact's viscous force may exceed the elastic one and pull
+  bool pull = false;                   // a contact's viscous force may exceed the elastic one and pull
+  std::optional<bool> tight_plates{};  // bodies keep the face of a plate that they met; left out: no
+  std::optional<bool> new_faces{};     // a torn lattice has new ones; left out: no
   double rolling_smoothing = 1;  // rad/s, w0 in w / sqrt(w^2 + w0^2); 1e-2 would be too stiff for the paper's step
 };
 
@@ -174,13 +176,14 @@ struct Output {
 // What this scene is known to do beyond the validity of its laws: it then neither warns nor ends the run. See
 // validity.h.
 struct Allow {
-  std::optional<double> energy_made{};  // -, of the energy that the scene was given
-  std::optional<double> energy_lost{};  // -, the same
-  std::optional<double> overlap{};      // -, of the smaller radius
-  std::optional<double> step{};         // -, times the largest stable step
-  bool behind_walls = false;            // centres of discs behind a wall
-  bool through_plates = false;          // centres that cross the middle of a plate
-  bool through_lattices = false;        // centres that cross the border of a lattice
+  std::optional<double> energy_made{};      // -, of the energy that the scene was given
+  std::optional<double> energy_lost{};      // -, the same
+  std::optional<double> overlap{};          // -, of the smaller radius
+  std::optional<double> step{};             // -, times the largest stable step
+  bool behind_walls = false;                // centres of discs behind a wall
+  bool through_plates = false;              // centres that cross the middle of a plate
+  bool through_lattices = false;            // centres that cross the border of a lattice
+  std::optional<bool> crossing_lattices{};  // borders of lattices, or of parts of a torn one, that cross each other
 };
 
 struct Scene {

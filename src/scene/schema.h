@@ -25,6 +25,15 @@ void describe(auto& v, Model& m) {
            "Moment arm of the tangential force.");
   v("pull", m.pull,
     plain("true", "Whether the viscous force of a contact may exceed the elastic one, so that the contact pulls."));
+  v("tight_plates", m.tight_plates,
+    plain(
+        "true",
+        "Whether a disc or node keeps the face of a plate that it met, however deep it is pressed, and whether plates "
+        "that are flush with each other, or stand on a wall, are one surface. Left out: no."));
+  v("new_faces", m.new_faces,
+    plain("true",
+          "Whether a lattice that tears has new faces: the cells next to a torn link are open, and discs touch what "
+          "bounds them. Left out: no."));
   v("rolling_smoothing", m.rolling_smoothing,
     {"rad/s", positive, "0.5",
      "Relative spin w0 below which rolling friction fades, by w / sqrt(w^2 + w0^2). Smaller values need smaller "
@@ -92,6 +101,8 @@ void describe(auto& v, Allow& a) {
   v("behind_walls", a.behind_walls, plain("true", "Whether centres of discs may be behind a wall."));
   v("through_plates", a.through_plates, plain("true", "Whether centres may cross the middle of a plate."));
   v("through_lattices", a.through_lattices, plain("true", "Whether centres may cross the border of a lattice."));
+  v("crossing_lattices", a.crossing_lattices,
+    plain("true", "Whether borders of lattices, or of the parts of a torn one, may cross each other. Left out: no."));
 }
 
 void describe(auto& v, Scene& s) {

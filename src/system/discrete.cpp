@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "system/border.h"
+
 namespace furrow {
 namespace {
 
@@ -38,8 +40,9 @@ bool before(const DiscreteState::Held& one, const DiscreteState::Held& other) {
 
 }  // namespace
 
-DiscreteState initial_discrete_state(const Layout& layout) {
+DiscreteState initial_discrete_state(const Parts& parts, const Layout& layout) {
   DiscreteState d;
+  d.border = touched_segments(parts, {});
   for (int k = layout.spring_count; k-- > 0;) d.unused.push_back(k);
   return d;
 }
@@ -51,6 +54,26 @@ int slot_of(const DiscreteState& d, const ContactId& c) {
   const auto found = std::lower_bound(d.held.begin(), d.held.end(), sought, before);
   return found == d.held.end() || before(sought, *found) ? -1 : found->slot;
 }
+
+namespace {
+
+bool faces_belong_to(const HeldFaces& faces, const Parts& parts) {
+  const auto before = [](const HeldFace& one, const HeldFace& other) {
+    return std::tie(one.kind, one.a, one.b) < std::tie(other.kind, other.a, other.b);
+  };
+  bool good = parts.tight_plates || faces.empty();
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const HeldFace& f = faces[k];
+    const Counts most = counts_of(parts, f.kind);
+    good = good && (f.kind == disc_plate || f.kind == node_plate) && f.face >= left_face && f.face <= upper_face;
+    good = good && f.a >= 0 && f.a < most.a && f.b >= 0 && f.b < most.b;
+    good = good && (f.kind == disc_plate || parts.node.body[f.a] >= 0);
+    good = good && (k == 0 || before(faces[k - 1], f));
+  }
+  return good;
+}
+
+}  // namespace
 
 bool belongs_to(const DiscreteState& d, const Parts& parts) {
   std::vector<char> seen(static_cast<std::size_t>(d.spring_count()), 0);
@@ -68,7 +91,7 @@ bool belongs_to(const DiscreteState& d, const Parts& parts) {
   for (const int link : d.torn) good = good && link >= 0 && link < parts.link.count();
   good = good && std::is_sorted(d.torn.begin(), d.torn.end()) &&
          std::adjacent_find(d.torn.begin(), d.torn.end()) == d.torn.end();
-  return good;
+  return good && faces_belong_to(d.faces, parts);
 }
 
 void DiscreteState::history(HistoryVisitor& visit) {
@@ -84,6 +107,12 @@ void DiscreteState::history(HistoryVisitor& visit) {
   visit("unused slots", unused);
   visit("jumps", jumps);
   visit("preparing", preparing);
+  visit.list("held faces", faces, [&](HeldFace& f) {
+    visit("kind", f.kind);
+    visit("a", f.a);
+    visit("b", f.b);
+    visit("face", f.face);
+  });
 }
 
 }  // namespace furrow

@@ -1,4 +1,5 @@
-// What changes in a scene besides the flat state: which links are torn, which contact holds which tangential spring.
+// What changes in a scene besides the flat state: which links are torn, which contact holds which tangential spring,
+// which body keeps which face of a plate (system/held_faces.h).
 //
 // The life of a tangential spring. A contact gets a slot, a place for its spring in the state, with xi = 0, at the
 // first jump that finds its gap below Parts::margin, as a rule before it touches; a faster pair has no spring until the
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "system/contact.h"
+#include "system/held_faces.h"
 #include "system/history.h"
 #include "system/layout.h"
 
@@ -29,22 +31,24 @@ struct DiscreteState {
     int kind, a, b, slot;
     std::uint32_t near_at;  // jump at which the two were last closer than the margin
   };
-  std::vector<int> torn;    // links, ascending
-  std::vector<Held> held;   // contacts that hold a slot, sorted by (kind, a, b)
-  std::vector<int> unused;  // slots, the next one last
-  std::uint32_t jumps = 0;  // that handed out slots: all, if there is friction
-  bool preparing = false;   // plates stand still and links do not tear
+  std::vector<int> torn;      // links, ascending
+  std::vector<Held> held;     // contacts that hold a slot, sorted by (kind, a, b)
+  std::vector<int> unused;    // slots, the next one last
+  std::uint32_t jumps = 0;    // that handed out slots: all, if there is friction
+  bool preparing = false;     // plates stand still and links do not tear
+  HeldFaces faces{};          // of plates, that bodies keep
+  std::vector<int> border{};  // segments that discs touch, ascending: it follows from the torn links
   int spring_count() const { return static_cast<int>(held.size() + unused.size()); }
   void history(HistoryVisitor& visit);
 };
 
 // Of a scene at t = 0: nothing is torn, nothing is held.
-DiscreteState initial_discrete_state(const Layout& layout);
+DiscreteState initial_discrete_state(const Parts& parts, const Layout& layout);
 
 bool is_torn(const DiscreteState& discrete, int link);
 int slot_of(const DiscreteState& discrete, const ContactId& contact);  // -1: none
 
-// Whether every slot is held once or unused, every pair is possible, and links ascend.
+// Whether every slot is held once or unused, every pair is possible, and links and held faces ascend.
 bool belongs_to(const DiscreteState& discrete, const Parts& parts);
 
 struct Tear {

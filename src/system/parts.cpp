@@ -7,7 +7,9 @@
 
 #include "physics/disc.h"
 #include "scene/unit_vector.h"
+#include "system/border.h"
 #include "system/floating_point.h"
+#include "system/held_faces.h"
 
 namespace furrow {
 namespace {
@@ -91,6 +93,8 @@ void set_options(const Scene& scene, Parts& parts) {
   parts.friction = parts.friction || parts.rolling;
   parts.keeps_ledger = scene.output.energy;
   parts.margin = margin_of_radius * least_radius(parts);
+  parts.tight_plates = scene.model.tight_plates.value_or(false);
+  parts.new_faces = scene.model.new_faces.value_or(false);
 }
 
 bool contains(const std::vector<int>& list, int value) {
@@ -249,6 +253,8 @@ Parts make_parts(const Scene& scene) {
                            index_of_material(scene, p.material)});
   }
   set_options(scene, parts);
+  if (parts.tight_plates) join_plates(parts);
+  if (parts.new_faces) add_inner_segments(parts);
   return parts;
 }
 

@@ -1,10 +1,12 @@
 // A scene's parts as arrays, one array a field: what never changes while the scene runs.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "physics/contact.h"
+#include "physics/geometry.h"
 #include "scene/scene.h"
 
 namespace furrow {
@@ -44,6 +46,10 @@ struct BorderArrays {
   std::vector<int> a, b;  // nodes
   std::vector<int> link;  // structural link along the segment, -1 if there is none
   std::vector<int> lattice;
+  // Where torn lattices have new faces also the segments that may come, and what opens them, see system/border.h:
+  using Four = std::array<int, 4>;
+  std::vector<Four> cell{};  // of a segment: what lies beside it, cells; -1: nothing
+  std::vector<Four> side{};  // of a cell: links along its sides; -1: none
   int count() const { return static_cast<int>(a.size()); }
 };
 
@@ -57,6 +63,10 @@ struct PlatePart {
   double left, lower, width, height;  // m, at t = 0
   double vx, vy;                      // m/s
   int material;
+  // Where plates are tight, see system/held_faces.h:
+  Rectangle goes_on{};       // m, how far behind each of its edges
+  std::vector<int> flush{};  // plates
+  double flush_within = 0;   // m
 };
 
 struct LatticePart {
@@ -83,7 +93,10 @@ struct Parts {
   bool friction = false;         // of some contact, sliding or rolling: discs spin and contacts hold a spring
   bool rolling = false;          // friction of some contact
   bool keeps_ledger = false;
-  double margin = 0;  // m: a contact holds a slot for its spring while its gap is below this, see discrete.h
+  bool tight_plates = false;  // bodies keep the face of a plate that they met, see system/held_faces.h
+  bool flush_plates = false;  // some are tight and flush
+  bool new_faces = false;     // torn lattices have them, see system/border.h
+  double margin = 0;          // m: a contact holds a slot for its spring while its gap is below this, see discrete.h
 
   int bodies() const { return disc.count() + free_nodes; }
   int law_of(int material_a, int material_b) const { return material_a * materials + material_b; }

@@ -32,6 +32,8 @@ class Solver {
   virtual void restore(const DiscreteState& discrete) = 0;
 
   virtual bool torn(int link) const = 0;
+  virtual Face held_face(const ContactId& contact) const = 0;
+  virtual const std::vector<int>& border() const = 0;  // segments that discs touch, see system/border.h
   virtual bool preparing() const = 0;
   virtual void prepare(bool preparing) = 0;
 

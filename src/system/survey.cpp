@@ -79,6 +79,7 @@ double passing_work(const Parts& parts, const ContactId& contact, const ContactL
       return elastic_energy(law, reduced_radius, radius + parts.disc.radius[contact.b]);
     case disc_plate:
     case node_plate:
+      if (parts.tight_plates) break;
       return elastic_energy(law, reduced_radius, radius + 0.5 * narrow(parts.plate[contact.b]));
     case disc_lattice:
       return elastic_energy(law, reduced_radius, radius);
@@ -102,6 +103,7 @@ double least_passing_speed(const Parts& parts) {
     least = std::min(least, 2 * elastic_energy(softest, radius / 2, 2 * radius) / (parts.disc.mass[i] / 2) / 8);
   }
   for (const PlatePart& p : parts.plate) {
+    if (parts.tight_plates) break;
     for (int n = 0; n < parts.node.count(); ++n)
       least = std::min(least,
                        2 * elastic_energy(softest, parts.node.contact_radius[n], narrow(p) / 2) / parts.node.mass[n]);

@@ -42,7 +42,7 @@ struct Survey {
 
 // J: the energy that carries disc or node `a` through `b`, or infinity: the work of the elastic force up to where the
 // centres of two discs pass, or a centre the middle of a plate or the border of a lattice. No one passes through a
-// wall.
+// wall, or a plate whose faces are kept.
 double passing_work(const Parts& parts, const ContactId& contact, const ContactLaw& law, double reduced_radius);
 
 // m/s: no contact of these parts whose two approach more slowly has the energy to pass.

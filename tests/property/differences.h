@@ -88,6 +88,16 @@ inline std::string difference(const DiscreteState& one, const DiscreteState& oth
     const std::string left = as_text(one.held[k]), right = as_text(other.held[k]);
     if (left != right) return differing("who holds a slot", sides, left, right);
   }
+  const auto faces_as_text = [](const HeldFaces& faces) {
+    std::string text;
+    for (const HeldFace& f : faces)
+      text += std::string(contact_kind_names[f.kind]) + ' ' + std::to_string(f.a) + ' ' + std::to_string(f.b) +
+              " face " + std::to_string(f.face) + "; ";
+    return text;
+  };
+  if (faces_as_text(one.faces) != faces_as_text(other.faces))
+    return differing("which faces are kept", sides, faces_as_text(one.faces), faces_as_text(other.faces));
+  if (one.border != other.border) return "which segments discs touch";
   if (one.held.size() != other.held.size())
     return differing("how many contacts hold a slot", sides, one.held.size(), other.held.size());
   return {};

@@ -59,6 +59,8 @@ void add_options(Scene& s) {
   s.model.disc_mass = either() ? DiscMass::sphere : DiscMass::disc;
   s.model.moment_arm = either() ? MomentArm::radius : MomentArm::contact_point;
   s.model.pull = either();
+  s.model.tight_plates = either();
+  s.model.new_faces = either();
   (either() ? s.contact.damping_factor : s.contact.tsuji_alpha) = part(up_to(3000));
   s.contact.friction = either() ? part(up_to(1000)) : 0;
   s.contact.rolling_friction = either() ? part(up_to(1000)) : 0;
@@ -87,11 +89,17 @@ void add_plates(Scene& s) {
     p.name = "plate " + std::to_string(k);
     p.left_edge = 0.2 * part(up_to(1000));
     p.lower_edge = 0.2 * part(up_to(1000));
-    p.width = 0.01;
+    p.width = either() ? 0.01 : 0.001;  // so thin that discs are pressed through
     p.height = 0.06;
     p.velocity = {part(up_to(1000)), part(up_to(200))};
+    if (either()) p.velocity = {part(up_to(1000)), 0}, p.lower_edge = 0;  // on the floor, if there is one
     p.material = "hard";
     s.plate.push_back(p);
+    if (either()) continue;
+    Plate flush = p;  // beside or on top of it
+    flush.name += " flush";
+    (either() ? flush.left_edge : *flush.lower_edge) += either() ? p.width : p.height;
+    s.plate.push_back(flush);
   }
 }
 
