@@ -14,6 +14,7 @@ using namespace test;
 // tear, within two hundred steps.
 Scene small_busy_scene() {
   Scene scene = busy_scene(4);
+  scene.model.tight_plates = scene.model.new_faces = true;
   scene.plate = {plate({0.06, 0.001}, 0.01, 0.2, {2, 0})};
   scene.disc[3].position = {0.089, 0.03};
   scene.disc[3].velocity = {3, -0.5};

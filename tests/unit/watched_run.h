@@ -46,7 +46,7 @@ inline WatchedRun watched(Scene scene, const std::string& method, double step, d
 }
 
 inline Scene allowing_all(Scene scene) {
-  scene.allow = Allow{1e9, 1e9, 1e9, 1e9, true, true, true};
+  scene.allow = Allow{1e9, 1e9, 1e9, 1e9, true, true, true, true};
   return scene;
 }
 

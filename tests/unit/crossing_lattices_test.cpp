@@ -1,0 +1,56 @@
+// Lattices, and parts of a torn one, do not touch each other: where they cross, that is said.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "watched_run.h"
+
+namespace furrow {
+namespace {
+
+using namespace test;
+
+// Two by two nodes that fly from the right through as many fixed ones.
+Scene two_lattices() {
+  Scene scene = empty_scene();
+  Lattice still = lattice({0, 0}, 3, 3, 0.1), flies = lattice({0.35, 0.05}, 2, 2, 0.1);
+  still.fixed_columns = {0, 1, 2};
+  for (int k = 0; k < 4; ++k) flies.node.push_back(node_setting(k / 2, k % 2, {}, {-1, 0}));
+  still.name = "still", flies.name = "flies";
+  scene.lattice = {still, flies};
+  return scene;
+}
+
+TEST(CrossingLattices, OfTwoAreNoticed) {
+  const WatchedRun r = watched(two_lattices(), "verlet", 1e-3, 1);
+  ASSERT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  ASSERT_LT(*std::max_element(r.y.begin(), r.y.begin() + 4), 0) << "all of it has passed";
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).where, "lattice still and lattice flies");
+  EXPECT_EQ(r.warnings.size(), 1u);
+}
+
+TEST(CrossingLattices, OfTheHalvesOfATornOneAreNoticed) {
+  Scene scene = empty_scene();
+  Lattice l = lattice({0, 0}, 3, 4, 0.1);
+  l.fixed_columns = {0, 1};
+  l.structural = l.shear = link_kind(1e3, 0, 10);
+  for (int k = 0; k < 6; ++k) l.node.push_back(node_setting(k / 2, 2 + k % 2, {0.05, 0.05}, {-1, 0}));
+  scene.lattice = {l};
+  const WatchedRun r = watched(scene, "verlet", 1e-3, 1);
+  ASSERT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  ASSERT_EQ(r.tears, 7) << "3 structural and 4 shear links between the halves";
+  ASSERT_LT(*std::max_element(r.y.begin(), r.y.begin() + 6), 0) << "all of it has passed";
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).where, "parts of lattice 0");
+  EXPECT_TRUE(watched(allowing_all(scene), "verlet", 1e-3, 1).warnings.empty());
+}
+
+TEST(CrossingLattices, ThatAreApartOrWholeAreNot) {
+  Scene scene = two_lattices();
+  for (NodeSetting& s : scene.lattice[1].node) s.velocity = {};
+  EXPECT_EQ(watched(scene, "verlet", 1e-3, 1).of(WatchKind::crossing_lattices).worst, 0);
+}
+
+}  // namespace
+}  // namespace furrow
