@@ -16,8 +16,10 @@ void NeighbourSearch::find_flat(const Parts& parts, const Placement& now, Contac
   for (int b = 0; b < static_cast<int>(walls ? parts.wall.size() : parts.plate.size()); ++b) {
     const auto look = [&](int a) {
       ++checks;
+      const Vec2 at = of_disc(kind) ? now.disc(a) : now.node(a);
       const ContactId pair{kind, a, b};
-      if (held_gap(parts, {}, pair, now.of(pair), now.t).gap < reach) piece.near.push_back({a, b});
+      const Gap gap = parts.tight_plates ? held_gap(parts, {}, pair, at, now.t) : flat_gap(parts, pair, at, now.t);
+      if (gap.gap < reach) piece.near.push_back({a, b});
     };
     if (walls) {
       checks += bodies.near_wall(parts.wall[b], reach, look);

@@ -179,7 +179,9 @@ Kernel::Facing Kernel::facing_lattice(const Placement& now, int candidate, int n
 }
 
 Kernel::Facing Kernel::facing_wall_or_plate(const Placement& now, double t, const ContactId& pair) const {
-  const Gap gap = held_gap(*parts_, search_.faces, pair, now.of(pair), now.t);
+  const Vec2 a = of_disc(pair.kind) ? now.disc(pair.a) : now.node(pair.a);
+  const Gap gap =
+      parts_->tight_plates ? held_gap(*parts_, search_.faces, pair, a, now.t) : flat_gap(*parts_, pair, a, now.t);
   if (!of_plate(pair.kind)) return {gap, 0, 0};
   const PlateAt at = plate_at(parts_->plate[pair.b], t, preparing_);
   return {gap, at.vx, at.vy};
