@@ -39,9 +39,11 @@ Face face_of(const HeldFaces& held, const ContactId& c) {
 
 Face face_after(const Parts& parts, const HeldFaces& held, const ContactId& pair, Vec2 at, double t) {
   const double radius = of_disc(pair.kind) ? parts.disc.radius[pair.a] : 0;
-  if (!(nearest_on_plate(parts, held, pair, at, t).distance - radius < parts.margin)) return no_face;
-  const PlatePart& plate = parts.plate[pair.b];
-  return face_after(at, whole_at(plate, t), face_of(held, pair));
+  const Rectangle r = whole_at(parts.plate[pair.b], t);
+  const Face own = face_of(held, pair), nearest = nearest_face(at, r);
+  const double distance = nearest_on_held_face(at, r, own == no_face ? nearest : own).distance;
+  if (!(distance - radius < parts.margin)) return no_face;
+  return own == nearest ? own : furrow::face_after(at, r, own);
 }
 
 int felt_instead(const Parts& parts, const HeldFaces& held, const ContactId& pair, Vec2 at, double t) {
