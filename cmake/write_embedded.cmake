@@ -41,5 +41,13 @@ std::string_view embedded(std::string_view name) {
   throw std::out_of_range(\"no embedded file \" + std::string(name));
 }
 
+std::vector<std::string_view> embedded_files(std::string_view folder) {
+  std::vector<std::string_view> names;
+  for (const File& file : files) {
+    if (file.name.starts_with(folder)) names.push_back(file.name);
+  }
+  return names;
+}
+
 }  // namespace furrow
 ")

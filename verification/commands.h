@@ -10,4 +10,7 @@ namespace furrow::verification {
 // stability
 void add_stability_command(CLI::App& app, std::vector<Command>& all);
 
+// cases, judge, engine
+void add_judge_commands(CLI::App& app, std::vector<Command>& all);
+
 }  // namespace furrow::verification

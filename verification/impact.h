@@ -1,4 +1,4 @@
-// Head-on impacts for the pages on normal contact: materials of the literature, Hertz's closed forms, what is measured
+// Head-on impacts for the pages on normal contact: materials of the literature, what is measured
 // on a run, and how far an elastic impact may be from Hertz.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "verification/check.h"
+#include "verification/hertz_law.h"
 #include "verification/running.h"
 
 namespace furrow::verification {
@@ -32,22 +33,6 @@ inline double mass_of(const Matter& m, double radius, DiscMass reading) {  // kg
   const double circle = 3.14159265358979323846 * radius * radius;
   return m.density * (reading == DiscMass::disc ? circle : circle * radius * 4 / 3);
 }
-
-// m* d'' = -K d^(3/2), d(0) = 0, d'(0) = v. From the energy m* v^2/2 = 2/5 K d^(5/2); the contact lasts
-// 2 int dd / d' = (4 sqrt(pi)/5) Gamma(2/5)/Gamma(9/10) d_max/v.
-struct Hertz {
-  double mass;       // kg, m*
-  double stiffness;  // N/m^(3/2), K = 4/3 E* sqrt(R*)
-  double speed;      // m/s, v
-  double peak_overlap() const { return std::pow(5 * mass * speed * speed / (4 * stiffness), 0.4); }
-  double peak_force() const { return stiffness * std::pow(peak_overlap(), 1.5); }
-  double contact_time() const {
-    return 0.8 * std::sqrt(3.14159265358979323846) * std::tgamma(0.4) / std::tgamma(0.9) * peak_overlap() / speed;
-  }
-};
-
-// K from the softness of both bodies together and R*.
-inline double hertz_stiffness(double softness, double radius) { return 4.0 / 3.0 / softness * std::sqrt(radius); }
 
 // ---- scenes ----
 

@@ -7,6 +7,7 @@
 int main(int argc, char** argv) {
   return furrow::run_program(argc, argv,
                              {furrow::add_solver_commands, furrow::verification::add_stability_command,
+                              furrow::verification::add_judge_commands,
                               [](CLI::App& app, std::vector<furrow::Command>& all) {
                                 furrow::validation::add_report_command(app, all, furrow::validation::catalogue());
                               },

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "tests/files.h"
+#include "verification/engines/case.h"
+#include "verification/engines/oracles.h"
+
+namespace furrow::test {
+namespace {
+
+using verification::case_named;
+using verification::case_names;
+using verification::Json;
+
+TEST(Cases, AllFilesOfTheFolderAreInTheProgram) {
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(FURROW_SOURCE_DIR) + "/verification/cases"))
+    files.insert(entry.path().stem());
+  EXPECT_EQ(files, std::set<std::string>(case_names().begin(), case_names().end()));
+  EXPECT_GE(files.size(), 30U);
+}
+
+// Half a unit of the twelfth digit.
+TEST(Cases, ValuesOfTheFilesAreThoseOfTheOracles) {
+  int compared = 0;
+  for (const std::string& name : case_names()) {
+    const Json whole = case_named(name);
+    if (whole.contains("view")) continue;
+    for (const auto& [observable, expected] : verification::expected_of(whole)) {
+      for (const Json& seen : whole["observe"]) {
+        if (seen["name"] != observable) continue;
+        EXPECT_NEAR(seen["value"].get<double>(), expected, 6e-12 * std::fabs(expected)) << name << ": " << observable;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 100);
+}
+
+TEST(Cases, WritingTheOraclesValuesIntoAFileChangesNothing) {
+  for (const char* name : {"hertz_wall", "partial_slip_10", "tear_by_load"}) {
+    const std::string file = std::string(FURROW_SOURCE_DIR) + "/verification/cases/" + name + ".toml";
+    EXPECT_EQ(verification::with_values(text_of(file), verification::expected_of(case_named(name))), text_of(file));
+  }
+}
+
+TEST(Cases, ObservablesHaveNamesOfTheirOwn) {
+  for (const std::string& name : case_names()) {
+    std::set<std::string> names;
+    for (const Json& seen : case_named(name)["observe"])
+      EXPECT_TRUE(names.insert(seen["name"]).second) << name << ": " << seen["name"];
+  }
+}
+
+TEST(Cases, TheEndIsAWholeNumberOfStepsAtEveryResolution) {
+  for (const std::string& name : case_names()) {
+    const Json whole = case_named(name);
+    EXPECT_GE(whole["steps"].size(), 3U) << name;
+    for (const int steps : whole["steps"]) {
+      const double count = whole["end"].get<double>() / whole["unit"].get<double>() * steps;
+      EXPECT_NEAR(count, std::round(count), 1e-9 * count) << name << " at " << steps;
+    }
+  }
+}
+
+TEST(Cases, AllThatIsNeededStandsInTheProtocol) {
+  const std::string protocol = text_of(std::string(FURROW_SOURCE_DIR) + "/verification/engines/PROTOCOL.md");
+  for (const std::string& name : case_names()) {
+    const Json whole = case_named(name);
+    for (const std::string need : whole["needs"])
+      EXPECT_NE(protocol.find("| `" + need + "` |"), std::string::npos) << name << ": " << need;
+    for (const Json& seen : whole["observe"])
+      EXPECT_NE(protocol.find("| `" + seen["what"].get<std::string>() + "` |"), std::string::npos) << seen["what"];
+  }
+}
+
+TEST(Cases, AnEngineDoesNotSeeWhatIsExpected) {
+  for (const std::string& name : case_names()) {
+    const std::string request = verification::request_of(case_named(name), 100).dump();
+    for (const char* answer : {"\"value\":", "\"published\":", "\"oracle\":", "\"floor\":"})
+      EXPECT_EQ(request.find(answer), std::string::npos) << name;
+  }
+}
+
+TEST(Cases, AnUnknownNameIsAnErrorWithTheNearest) {
+  try {
+    case_named("hertz_wal");
+    FAIL();
+  } catch (const std::invalid_argument& fault) {
+    EXPECT_NE(std::string(fault.what()).find("did you mean \"hertz_wall\""), std::string::npos) << fault.what();
+  }
+  EXPECT_THROW(verification::cases_like({"no such thing"}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace furrow::test

@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "tests/judge/wrong_engines.h"
+#include "verification/engines/furrow_engine.h"
+
+namespace furrow::test {
+namespace {
+
+using verification::case_named;
+using verification::case_names;
+using verification::judge_case;
+using verification::Judgement;
+using verification::to_string;
+using verification::Verdict;
+
+std::map<std::string, Judgement> judge_all(const Engine& engine) {
+  std::map<std::string, Judgement> all;
+  for (const std::string& name : case_names()) all[name] = judge_case(case_named(name), engine);
+  return all;
+}
+
+TEST(Engines, TheIndependentOneIsRightInEveryCase) {
+  for (const auto& [name, j] : judge_all(independent))
+    EXPECT_EQ(to_string(j.verdict), "right") << name << ": " << j.words;
+}
+
+// What furrow has no option for, by what it says itself; nothing else may go unjudged.
+TEST(Engines, FurrowIsRightInEveryCaseThatItsSceneCanExpress) {
+  const std::set<std::string> missing{"linear", "no_tangential_damping"};
+  for (const char* method : {"verlet", "pece", "rk4"}) {
+    for (const auto& [name, j] : judge_all([&](const Json& r) { return verification::furrow_answer(r, method); })) {
+      const bool cannot = j.verdict == Verdict::cannot && missing.contains(j.words);
+      EXPECT_TRUE(cannot || j.verdict == Verdict::right)
+          << method << ", " << name << ": " << to_string(j.verdict) << ", " << j.words;
+    }
+  }
+}
+
+TEST(Engines, EachThatIsWrongOnPurposeIsFoundByACase) {
+  for (const WrongEngine& wrong : wrong_engines()) {
+    const Judgement j = judge_case(case_named(wrong.found_by), wrong.answer);
+    EXPECT_GT(j.verdict, Verdict::cannot) << wrong.name << " in " << wrong.found_by << ": " << j.words;
+  }
+}
+
+TEST(Engines, TheExampleOfTheProtocolIsRightWhereItClaimsToBe) {
+  const Engine example =
+      verification::program_engine("python3 " FURROW_SOURCE_DIR "/verification/engines/example.py", 30);
+  const std::map<std::string, Judgement> all = judge_all(example);
+  for (const char* name : {"hertz_wall", "hertz_wall_of_the_same", "hertz_slow", "hertz_fast", "leaning_wall"})
+    EXPECT_EQ(to_string(all.at(name).verdict), "right") << name << ": " << all.at(name).words;
+  for (const auto& [name, j] : all) EXPECT_LE(j.verdict, Verdict::cannot) << name << ": " << j.words;
+}
+
+}  // namespace
+}  // namespace furrow::test

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/engines/judge.h"
+#include "verification/engines/judgement_files.h"
+
+namespace furrow::test {
+namespace {
+
+using verification::Finding;
+using verification::Json;
+using verification::judge_case;
+using verification::judge_observable;
+using verification::Judgement;
+using verification::Verdict;
+
+const std::vector<int> steps{250, 1000, 4000};
+
+Finding judged(const std::function<double(double h)>& value, double claimed, const Json& more = Json::object()) {
+  Json seen{{"name", "x"}, {"unit", "m"}, {"value", 2.0}, {"floor", 1e-12}, {"limit", 9}};
+  seen.update(more);
+  std::vector<double> h, values;
+  for (const int n : steps) {
+    h.push_back(1.0 / n);
+    values.push_back(value(h.back()));
+  }
+  return judge_observable(seen, steps, h, values, claimed);
+}
+
+TEST(Verdict, AnErrorThatFallsWithTheClaimedOrderIsRight) {
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h * h; }, 2).verdict, Verdict::right);
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 1).verdict, Verdict::right);
+}
+TEST(Verdict, ALowerOrderThanClaimedIsLower) {
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 2).verdict, Verdict::lower_order);
+}
+TEST(Verdict, TheOrderThatTheCaseAllowsIsEnough) {
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 4, {{"limit", 1}}).verdict, Verdict::right);
+}
+TEST(Verdict, AnErrorBelowTheFloorIsRightWithoutAnOrder) {
+  EXPECT_EQ(judged([](double) { return 2 + 1e-12; }, 4).verdict, Verdict::right);
+  EXPECT_NE(judged([](double) { return 2 + 1e-11; }, 4).verdict, Verdict::right);
+}
+TEST(Verdict, WhatConvergesElsewhereIsAnotherLawWithItsLimit) {
+  const Finding f = judged([](double h) { return 2.01 + 5 * h * h; }, 2);
+  EXPECT_EQ(f.verdict, Verdict::another_law);
+  EXPECT_NEAR(f.limit, 2.01, 1e-6);
+  EXPECT_EQ(judged([](double h) { return 2.01 + 5 * h; }, 1).verdict, Verdict::another_law);
+}
+TEST(Verdict, WhatDoesNotSettleHasFailed) {
+  EXPECT_EQ(judged([](double h) { return 2 + std::sin(1 / h); }, 2).verdict, Verdict::failed);
+}
+TEST(Verdict, AnEventIsRightWithinItsStepAndLateBeyond) {
+  EXPECT_EQ(judged([](double h) { return 2 + 0.9 * h; }, 2, {{"kind", "step"}}).verdict, Verdict::right);
+  EXPECT_EQ(judged([](double h) { return 2 + 1.9 * h; }, 2, {{"kind", "step"}}).verdict, Verdict::lower_order);
+  EXPECT_EQ(judged([](double h) { return 2.1 + h; }, 2, {{"kind", "step"}}).verdict, Verdict::another_law);
+}
+TEST(Verdict, AStatisticIsRightInsideItsInterval) {
+  const Json band{{"kind", "interval"}, {"interval", {1.0, 3.0}}};
+  EXPECT_EQ(judged([](double h) { return 1 + h; }, 2, band).verdict, Verdict::right);
+  EXPECT_EQ(judged([](double) { return 3.001; }, 2, band).verdict, Verdict::another_law);
+}
+
+// One answer for all requests.
+Judgement judgement_of(const Json& answer) {
+  return judge_case(verification::case_named("hertz_wall"), [&](const Json&) { return answer; });
+}
+
+TEST(Judge, AnAnswerThatDoesNotFollowTheProtocolHasFailed) {
+  EXPECT_EQ(judgement_of({{"engine", "x"}}).verdict, Verdict::failed);
+  EXPECT_EQ(judgement_of({{"engine", "x"}, {"observables", Json::object()}}).verdict, Verdict::failed);
+  EXPECT_EQ(judgement_of(Json::array({1})).verdict, Verdict::failed);
+  const Json whole = verification::case_named("hertz_wall");
+  Json none{{"engine", "x"}, {"order", 2}, {"observables", Json::object()}};
+  for (const Json& seen : whole["observe"]) none["observables"][seen["name"].get<std::string>()] = nullptr;
+  EXPECT_EQ(judgement_of(none).verdict, Verdict::failed);
+}
+TEST(Judge, AnEngineThatCannotIsNotHeldToIt) {
+  const Judgement j = judgement_of({{"engine", "x"}, {"cannot", "no walls"}});
+  EXPECT_EQ(j.verdict, Verdict::cannot);
+  EXPECT_EQ(j.words, "no walls");
+}
+TEST(Judge, AProgramThatEndsBadlyHasFailedWithItsLastWords) {
+  const Judgement j =
+      judge_case(verification::case_named("hertz_wall"), verification::program_engine("echo no luck >&2; exit 3", 10));
+  EXPECT_EQ(j.verdict, Verdict::failed);
+  EXPECT_NE(j.words.find("code 3: no luck"), std::string::npos) << j.words;
+}
+TEST(Judge, AProgramThatDoesNotEndIsStopped) {
+  const Judgement j =
+      judge_case(verification::case_named("hertz_wall"), verification::program_engine("sleep 100", 0.2));
+  EXPECT_EQ(j.verdict, Verdict::failed);
+  EXPECT_NE(j.words.find("was stopped"), std::string::npos) << j.words;
+}
+TEST(Judge, AProgramGetsTheRequestOnItsStandardInput) {
+  const verification::Engine echo = verification::program_engine("cat", 10);
+  const Json request = verification::request_of(verification::case_named("stack"), 250);
+  EXPECT_EQ(echo(request), request);
+}
+
+TEST(JudgementFiles, JUnitHasFailuresSkipsAndNoLooseAngles) {
+  Judgement bad = judgement_of({{"engine", "<x> & \"y\""}, {"observables", Json::object()}});
+  const Judgement skipped = judgement_of({{"engine", "x"}, {"cannot", "a < b"}});
+  const std::string text = verification::judgements_as_junit({bad, skipped});
+  EXPECT_NE(text.find("tests=\"2\" failures=\"1\" skipped=\"1\""), std::string::npos) << text;
+  EXPECT_NE(text.find("&lt;x> &amp; &quot;y&quot;"), std::string::npos) << text;
+  EXPECT_NE(text.find("a &lt; b"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace furrow::test

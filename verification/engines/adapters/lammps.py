@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""LAMMPS as an engine (PROTOCOL.md): velocity Verlet, pair style granular, bonds.
+
+   furrow judge --engine verification/engines/adapters/lammps.py
+
+Constants go in as numbers, walls too: the material words of its walls take E* too high by 1 + nu (29 Sep 2021; later versions are
+right), and `--walls material` shows that. The damping is Tsuji's; its restitution is solved for the beta of the case."""
+
+import math
+import os
+import sys
+
+import common
+
+LAMMPS = os.environ.get("LAMMPS", "lmp")
+GRAINS = {"hertz", "wall", "pair", "damping", "pull", "no_pull", "friction", "tangential_damping", "no_tangential_damping",
+          "gravity", "arm_radius", "linear", "load"}
+NET = {"spring", "tear", "load", "gravity"}
+
+
+def exact(value):
+    return repr(float(value))
+
+
+def granular(case, modulus, shear):
+    """The words of pair style granular, and of walls of that style."""
+    contact, beta = case.contact, case.beta()
+    if contact["law"] == "linear":
+        if contact["cn"] or contact["kt"]:
+            raise common.Refusal("a linear dashpot in N s/m")
+        return f"hooke {exact(contact['kn'])} 0 tangential linear_nohistory 0 0 damping velocity"
+    e = common.tsuji_restitution(beta)
+    if e is None:
+        raise common.Refusal("damping beyond Tsuji's restitution of 0")
+    damped = beta > 0
+    normal = f"hertz {exact(4 / 3 * modulus)} {exact(e if damped else 0)}"
+    both = 2 * math.sqrt(shear / modulus) if damped and contact["tangential_damping"] else 0
+    mu = min(contact["friction"], 1e6)
+    tangent = f"mindlin {exact(8 * shear)} {exact(both)} {exact(mu)}" if mu else "linear_nohistory 0 0"
+    limit = "" if contact["pull"] or not damped else " limit_damping"
+    return f"{normal} tangential {tangent} damping {'tsuji' if damped else 'velocity'}{limit}"
+
+
+def material_wall(case, wall):
+    """By the words for materials, which this version gets wrong."""
+    own = next(m for m in case.material if m["name"] == wall["material"])
+    if own.get("rigid"):
+        raise common.Refusal("a rigid wall, by material")
+    return f"granular hertz/material {exact(own['young'])} 0 {exact(own['poisson'])} tangential linear_nohistory 0 0 damping velocity"
+
+
+def wall_lines(case, types):
+    lines = []
+    for k, wall in enumerate(case.wall):
+        normal, point = wall["normal"], wall["point"]
+        axis = [abs(part) > 1 - 1e-12 for part in normal]
+        kinds = {case.moduli(name, wall["material"]) for name in types}
+        if len(kinds) != 1:
+            raise common.Refusal("a wall that meets several materials")
+        words = material_wall(case, wall) if "--walls" in sys.argv else f"granular {granular(case, *kinds.pop())}"
+        if any(axis):
+            place = exact(point[0] if axis[0] else point[1])
+            side = f"{place} NULL" if sum(normal) > 0 else f"NULL {place}"
+            lines.append(f"fix wall{k} all wall/gran {words} {'xplane' if axis[0] else 'yplane'} {side}")
+        else:
+            lines += [f"region wall{k} plane {exact(point[0])} {exact(point[1])} 0 {exact(normal[0])} {exact(normal[1])} 0",
+                      f"fix wall{k} all wall/gran/region {words} region wall{k}"]
+    return lines
+
+
+def box(case):
+    xs = [p for b in case.body for p in (b["position"][0] - 50 * b["radius"], b["position"][0] + 50 * b["radius"])]
+    ys = [p for b in case.body for p in (b["position"][1] - 50 * b["radius"], b["position"][1] + 50 * b["radius"])]
+    wide = 0.5 * max(max(xs) - min(xs), max(ys) - min(ys))
+    return min(xs) - wide, max(xs) + wide, min(ys) - wide, max(ys) + wide
+
+
+def write_atoms(case, folder, types, bonds):
+    x0, x1, y0, y1 = box(case)
+    kinds = sorted({(s["stiffness"], s["length"], s.get("strength", math.inf)) for s in case.spring})
+    lines = ["", "", f"{len(case.body)} atoms", f"{len(types)} atom types"]
+    if bonds:
+        lines += [f"{len(case.spring)} bonds", f"{len(kinds)} bond types", "30 extra bond per atom", "60 extra special per atom"]
+    lines += [f"{exact(x0)} {exact(x1)} xlo xhi", f"{exact(y0)} {exact(y1)} ylo yhi", "-1 1 zlo zhi" if bonds else f"{exact(-x1 + x0)} {exact(x1 - x0)} zlo zhi", ""]
+    if bonds:
+        lines += ["Masses", "", *(f"{k + 1} {exact(case.body[0]['mass'])}" for k in range(len(types))), ""]
+    lines += ["Atoms", ""]
+    for name, body in case.bodies.items():
+        x, y = body["position"]
+        kind = types.index(body["material"]) + 1
+        if bonds:
+            lines.append(f"{case.number[name]} 1 {kind} {exact(x)} {exact(y)} 0")
+        else:
+            density = body["mass"] / (4 / 3 * math.pi * body["radius"]**3)
+            lines.append(f"{case.number[name]} {kind} {exact(2 * body['radius'])} {exact(density)} {exact(x)} {exact(y)} 0")
+    lines += ["", "Velocities", ""]
+    for name, body in case.bodies.items():
+        vx, vy = (0, 0) if body["fixed"] else body["velocity"]
+        turn = "" if bonds else f" 0 0 {exact(body['spin'])}"
+        lines.append(f"{case.number[name]} {exact(vx)} {exact(vy)} 0{turn}")
+    if bonds:
+        lines += ["", "Bonds", ""]
+        for k, s in enumerate(case.spring):
+            kind = kinds.index((s["stiffness"], s["length"], s.get("strength", math.inf))) + 1
+            lines.append(f"{k + 1} {kind} {case.number[s['a']]} {case.number[s['b']]}")
+    with open(f"{folder}/atoms", "w", encoding="utf-8") as out:
+        out.write("\n".join(lines) + "\n")
+    return kinds
+
+
+def net_lines(case, folder, types):
+    """Bonds in place of grains; a bond type breaks at the length at which its spring reaches its strength."""
+    kinds = write_atoms(case, folder, types, True)
+    lines = ["atom_style bond", "bond_style harmonic", "special_bonds lj/coul 1 1 1", "read_data atoms", "comm_modify cutoff 100"]
+    lines += [f"bond_coeff {k + 1} {exact(stiffness / 2)} {exact(length)}" for k, (stiffness, length, _) in enumerate(kinds)]
+    lines += [f"fix tear{k} all bond/break 1 {k + 1} {exact(length + strength / stiffness)}"
+              for k, (stiffness, length, strength) in enumerate(kinds) if strength < math.inf]
+    fixed = [str(case.number[name]) for name, body in case.bodies.items() if body["fixed"]]
+    if fixed:
+        lines += [f"group held id {' '.join(fixed)}", "group free subtract all held"]
+    lines.append(f"fix move {'free' if fixed else 'all'} nve")
+    torn = "+".join(f"f_tear{k}[2]" for k, kind in enumerate(kinds) if kind[2] < math.inf)
+    return lines + [f"variable torn equal {torn or 0}"]
+
+
+def grain_lines(case, folder, types):
+    write_atoms(case, folder, types, False)
+    spheres = {case.sphere(body) for body in case.body}
+    if len(spheres) > 1:
+        raise common.Refusal("discs and spheres together")
+    lines = ["atom_style sphere", "comm_modify vel yes", "read_data atoms", "pair_style granular"]
+    for i, a in enumerate(types):
+        for j in range(i, len(types)):
+            lines.append(f"pair_coeff {i + 1} {j + 1} {granular(case, *case.moduli(a, types[j]))}")
+    lines.append("fix move all nve/sphere" + ("" if spheres == {True} else " disc"))
+    return lines + wall_lines(case, types) + ["variable torn equal 0"]
+
+
+def load_lines(case):
+    lines = []
+    gravity = math.hypot(*case.gravity)
+    if gravity:
+        lines.append(f"fix weight all gravity {exact(gravity)} vector {exact(case.gravity[0])} {exact(case.gravity[1])} 0")
+    for name, body in case.bodies.items():
+        if any(body["load"]):
+            k = case.number[name]
+            lines += [f"group loaded{k} id {k}", f"fix load{k} loaded{k} addforce {exact(body['load'][0])} {exact(body['load'][1])} 0"]
+    return lines
+
+
+def read_frames(case, folder):
+    """dump custom: id x y vx vy omegaz fx fy; the torn springs stand in a file of their own."""
+    torn = {}
+    with open(f"{folder}/torn", encoding="utf-8") as lines:
+        for line in lines:
+            if not line.startswith("#"):
+                step, count = line.split()
+                torn[int(step)] = int(float(count))
+    names = {number: name for name, number in case.number.items()}
+    frames = []
+    with open(f"{folder}/dump", encoding="utf-8") as dump:
+        for line in dump:
+            if line.startswith("ITEM: TIMESTEP"):
+                step = int(next(dump))
+                frames.append(common.Frame(step * case.step))
+                frames[-1].torn = torn.get(step, 0)
+            elif not line.startswith("ITEM") and len(line.split()) == 8:
+                k, x, y, vx, vy, spin, fx, fy = map(float, line.split())
+                frame, name = frames[-1], names[int(k)]
+                frame.place[name], frame.speed[name], frame.spin[name], frame.force[name] = (x, y), (vx, vy), spin, (fx, fy)
+    return frames
+
+
+def run(case, folder):
+    net = bool(case.spring)
+    case.refuse_beyond(NET if net else GRAINS)
+    if not net and any(body["radius"] == 0 for body in case.body):
+        raise common.Refusal("point masses that touch")
+    types = sorted({body["material"] for body in case.body})
+    flat = net or not case.sphere(case.body[0])
+    every = 1 if case.sees_every_step() else case.count
+    spin = "vz" if net else "omegaz"
+    lines = ["units si", f"dimension {2 if flat else 3}", "boundary f f p" if flat else "boundary f f f", "newton off", "neighbor 0.001 bin"]
+    lines += net_lines(case, folder, types) if net else grain_lines(case, folder, types)
+    lines += load_lines(case)
+    lines += ["neigh_modify delay 0 every 1 check yes", f"timestep {exact(case.step)}", *(["fix flat all enforce2d"] if flat else []),
+              "thermo_modify lost error", f"thermo {case.count}",
+              f"dump all all custom {every} dump id x y vx vy {spin} fx fy", "dump_modify all sort id format float %.17g",
+              f'fix torn all print {every} "$(step) $(v_torn)" file torn screen no', f"run {case.count}"]
+    with open(f"{folder}/in", "w", encoding="utf-8") as out:
+        out.write("\n".join(lines) + "\n")
+    common.call([LAMMPS, "-in", "in", "-log", "none"], folder, env=os.environ | {"OMP_NUM_THREADS": "1"})
+    return read_frames(case, folder)
+
+
+def name():
+    found = common.version([LAMMPS, "-h"], lambda line: line.removeprefix("Large-scale Atomic/Molecular Massively Parallel Simulator - ") if "Simulator -" in line else "")
+    return f"LAMMPS {found}".strip()
+
+
+if __name__ == "__main__":
+    common.serve(name(), 2, run)

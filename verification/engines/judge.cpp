@@ -1,0 +1,257 @@
+#include "verification/engines/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "output/child.h"
+#include "scene/wording.h"
+
+namespace furrow::verification {
+namespace {
+
+// An observed order may be below the predicted one by so much: at three resolutions the next term of the error, and the
+// phase in which events fall into steps, bend the slope by up to a third.
+constexpr double slack = 0.35;
+// Less is no order: nothing is arrived at.
+constexpr double least_order = 0.4;
+
+std::string few(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+// Errors by resolution; of resolutions that are close to each other the root of the mean square, so that the phase in
+// which an event falls into a step makes less of a difference.
+struct Errors {
+  std::vector<double> steps, error;
+};
+
+Errors grouped(const std::vector<int>& steps, const std::vector<double>& errors) {
+  Errors all;
+  std::size_t begin = 0;
+  while (begin < steps.size()) {
+    double logs = 0, squares = 0, count = 0;
+    std::size_t k = begin;
+    for (; k < steps.size() && steps[k] < 1.2 * steps[begin]; ++k, ++count) {
+      logs += std::log(steps[k]);
+      squares += errors[k] * errors[k];
+    }
+    all.steps.push_back(std::exp(logs / count));
+    all.error.push_back(std::sqrt(squares / count));
+    begin = k;
+  }
+  return all;
+}
+
+double slope(const Errors& errors) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0, n = 0;
+  for (std::size_t k = 0; k < errors.steps.size(); ++k) {
+    if (!(errors.error[k] > 0)) continue;
+    const double x = -std::log(errors.steps[k]), y = std::log(errors.error[k]);
+    sx += x, sy += y, sxx += x * x, sxy += x * y, ++n;
+  }
+  return n < 2 ? NAN : (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+Finding said(Finding f, Verdict verdict, const std::string& words) {
+  f.verdict = verdict;
+  f.words = words;
+  return f;
+}
+
+// The time of an event that is seen at the end of a step may be late by one step.
+Finding judge_time(Finding f, const Json& seen, const std::vector<double>& h) {
+  double worst = 0;
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    const double late = f.values[k] - f.expected;
+    worst = std::max(worst, (std::fabs(late) - seen.value("slack", 0.0)) / h[k]);
+  }
+  f.error = worst;
+  if (worst <= 1 + 1e-6) return said(f, Verdict::right, "within the step");
+  if (worst <= 3) return said(f, Verdict::lower_order, "off by " + few(worst) + " steps");
+  return said(f, Verdict::another_law, "off by " + few(worst) + " steps");
+}
+
+double scale_of(const Json& seen, double expected) {
+  if (seen.contains("scale")) return seen["scale"];
+  return std::fabs(expected) > 0 ? std::fabs(expected) : 1;
+}
+
+Finding judge_interval(Finding f, const Json& seen) {
+  const double low = seen["interval"][0], high = seen["interval"][1], got = f.values.back();
+  f.expected = (low + high) / 2;
+  f.error = std::fabs(got - f.expected) / ((high - low) / 2);
+  if (got >= low && got <= high) return said(f, Verdict::right, "inside [" + few(low) + ", " + few(high) + "]");
+  f.limit = got;
+  return said(f, Verdict::another_law, few(got) + " is outside [" + few(low) + ", " + few(high) + "]");
+}
+
+Finding judge_exact(Finding f, const Json& seen) {
+  const double scale = scale_of(seen, f.expected);
+  for (const double value : f.values) f.error = std::max(f.error, std::fabs(value - f.expected) / scale);
+  if (f.error <= seen["floor"].get<double>()) return said(f, Verdict::right, "the same at every resolution");
+  f.limit = f.values.back();
+  return said(f, Verdict::another_law, few(f.values.back()) + " in place of " + few(f.expected));
+}
+
+// How far the values may still be from where they go if each change is one of order 1 or higher: an error C h changes
+// by C h (1 - 1/r) to the next step, with r at least 1.5. The greatest counts, since a change may be small by chance.
+double left_to_go(const std::vector<int>& steps, const std::vector<double>& values) {
+  double most = 0;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    most = std::max(most, 3 * std::fabs(values[k] - values[k - 1]) * steps[k - 1] / steps.back());
+  return most;
+}
+
+Finding judge_converging(Finding f, const Json& seen, const std::vector<int>& steps, double claimed) {
+  const double scale = scale_of(seen, f.expected), floor = seen["floor"];
+  std::vector<double> errors;
+  for (const double value : f.values) errors.push_back(std::fabs(value - f.expected) / scale);
+  const Errors by_step = grouped(steps, errors);
+  f.error = by_step.error.back();
+  f.order = slope(by_step);
+  f.limit = f.values.back();
+  if (f.error <= floor) return said(f, Verdict::right, "error " + few(f.error));
+  const double predicted = std::min(claimed, seen["limit"].get<double>());
+  const std::string orders =
+      "error " + few(f.error) + ", order " + few(f.order) + " (" + few(predicted) + " predicted)";
+  const bool arrives = f.error * scale <= left_to_go(steps, f.values) + floor * scale;
+  if (arrives && f.order >= predicted - slack) return said(f, Verdict::right, orders);
+  if (arrives && f.order >= least_order) return said(f, Verdict::lower_order, orders);
+  const std::size_t n = f.values.size();
+  const double last = std::fabs(f.values[n - 1] - f.values[n - 2]), first = std::fabs(f.values[1] - f.values[0]);
+  const bool settles = last < 0.7 * first || last <= floor * scale || last < 0.1 * f.error * scale;
+  if (settles)
+    return said(f, Verdict::another_law,
+                "goes to " + shortest(f.limit) + " in place of " + shortest(f.expected) + ", off by " + few(f.error));
+  return said(f, Verdict::failed, "does not converge: " + orders);
+}
+
+Json with_defaults(Json seen, const Json& whole) {
+  for (const char* key : {"floor", "limit"}) {
+    if (!seen.contains(key)) seen[key] = whole[key];
+  }
+  return seen;
+}
+
+double value_of(const Json& answer, const std::string& name) {
+  const Json& all = answer.at("observables");
+  if (!all.contains(name)) throw std::runtime_error("no observable " + in_quotes(name) + " in the answer");
+  const Json& value = all[name];
+  if (!value.is_number() || !std::isfinite(value.get<double>())) throw std::runtime_error(name + " is not a number");
+  return value;
+}
+
+void conclude(Judgement& j) {
+  j.verdict = Verdict::right;
+  for (const Finding& f : j.findings) {
+    if (f.verdict < j.verdict) continue;
+    if (f.verdict == j.verdict && !j.words.empty() && j.verdict != Verdict::right) continue;
+    j.verdict = f.verdict;
+    j.words = f.name + ": " + f.words;
+  }
+}
+
+struct Asked {
+  std::vector<Json> answers;  // one a resolution
+  std::string cannot;
+};
+
+Asked ask(const Json& whole, const Engine& engine, Judgement& j) {
+  Asked all;
+  for (const int steps : j.steps) {
+    all.answers.push_back(engine(request_of(whole, steps)));
+    const Json& answer = all.answers.back();
+    j.engine = answer.value("engine", "unnamed");
+    j.method = answer.value("method", "");
+    if (answer.contains("cannot")) return all.cannot = answer["cannot"], all;
+    if (!answer.contains("observables")) throw std::runtime_error("the answer has neither observables nor cannot");
+    j.claimed = answer.value("order", 1.0);
+  }
+  return all;
+}
+
+// Where a case is compared with another one, the other one's value takes the place of the expected one.
+void subtract_own(const Json& seen, const std::vector<Json>& own, std::vector<double>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double other = seen["factor"].get<double>() * value_of(own[k], seen["name"]);
+    values[k] -= seen["offset"].get<double>() + other;
+  }
+}
+
+double scale_of_own(const Json& seen, const std::vector<Json>& own) {
+  const double scale = std::fabs(value_of(own.back(), seen["name"])) + std::fabs(seen["offset"].get<double>());
+  return scale > 0 ? scale : 1;
+}
+
+void judge_answers(Judgement& j, const Json& whole, const Asked& asked, const std::vector<Json>& own) {
+  std::vector<double> h;
+  for (const int steps : j.steps) h.push_back(whole["unit"].get<double>() / steps);
+  for (const Json& plain : whole["observe"]) {
+    Json seen = with_defaults(plain, whole);
+    std::vector<double> values;
+    for (const Json& answer : asked.answers) values.push_back(value_of(answer, seen["name"]));
+    if (seen.value("kind", "") == "same") {
+      subtract_own(seen, own, values);
+      seen["scale"] = scale_of_own(seen, own);
+      seen["value"] = 0.0;
+    }
+    j.findings.push_back(judge_observable(seen, j.steps, h, values, j.claimed));
+  }
+}
+
+}  // namespace
+
+std::string to_string(Verdict verdict) {
+  constexpr const char* words[] = {"right", "cannot", "lower order", "another law", "failed"};
+  return words[static_cast<int>(verdict)];
+}
+
+Finding judge_observable(const Json& seen, const std::vector<int>& steps, const std::vector<double>& h,
+                         const std::vector<double>& values, double claimed) {
+  Finding f{.name = seen["name"], .unit = seen["unit"], .values = values, .expected = seen.value("value", 0.0)};
+  const std::string kind = seen.value("kind", "converging");
+  if (kind == "step") return judge_time(f, seen, h);
+  if (kind == "interval") return judge_interval(f, seen);
+  if (kind == "exact" || kind == "same") return judge_exact(f, seen);
+  return judge_converging(f, seen, steps, claimed);
+}
+
+Judgement judge_case(const Json& whole, const Engine& engine) {
+  Judgement j{.name = whole["name"], .title = whole["title"], .steps = whole["steps"].get<std::vector<int>>()};
+  try {
+    const Asked asked = ask(whole, engine, j);
+    std::vector<Json> own;
+    if (asked.cannot.empty() && whole.contains("view")) own = ask(case_named(whole["view"]["of"]), engine, j).answers;
+    if (asked.cannot.empty()) {
+      judge_answers(j, whole, asked, own);
+      conclude(j);
+    } else {
+      j.verdict = Verdict::cannot;
+      j.words = asked.cannot;
+    }
+  } catch (const Json::exception& fault) {
+    j.words = std::string("the answer does not follow the protocol: ") + fault.what();
+  } catch (const std::runtime_error& fault) {
+    j.words = fault.what();
+  }
+  return j;
+}
+
+Engine program_engine(const std::string& command, double limit) {
+  return [command, limit](const Json& request) {
+    const ChildEnd end = run_child({.words = {"/bin/sh", "-c", "{ " + command + "\n} <\"$1\"", "engine", "{input}"},
+                                    .input = request.dump(),
+                                    .limit = limit});
+    const std::string last = end.errors.empty() ? "" : ": " + end.errors.substr(0, 400);
+    if (end.code != 0) throw std::runtime_error("the engine ended with code " + std::to_string(end.code) + last);
+    const std::size_t begin = end.output.find('{');
+    if (begin == std::string::npos) throw std::runtime_error("the engine printed no JSON" + last);
+    return Json::parse(end.output.substr(begin));
+  };
+}
+
+}  // namespace furrow::verification

@@ -1,0 +1,148 @@
+// The commands cases, judge and engine.
+#include <cstdio>
+#include <iostream>
+
+#include "methods/method.h"
+#include "output/files.h"
+#include "program/progress.h"
+#include "program/signals.h"
+#include "program/usage.h"
+#include "report/embedded.h"
+#include "scene/interrupt.h"
+#include "verification/commands.h"
+#include "verification/engines/furrow_engine.h"
+#include "verification/engines/judgement_files.h"
+
+namespace furrow::verification {
+namespace {
+
+struct CasesOptions {
+  std::vector<std::string> patterns;
+  bool json = false, protocol = false;
+  int request = 0;  // resolution
+};
+
+void list_cases(const std::vector<Json>& cases) {
+  for (const Json& c : cases) {
+    std::string needs;
+    for (const std::string need : c["needs"]) needs += (needs.empty() ? "" : " ") + need;
+    std::printf("%-34s %s\n%-34s needs %s\n", c["name"].get<std::string>().c_str(),
+                c["title"].get<std::string>().c_str(), "", needs.c_str());
+  }
+}
+
+int cases_command(const CasesOptions& options) {
+  if (options.protocol) {
+    std::printf("%s", std::string(embedded("verification/engines/PROTOCOL.md")).c_str());
+    return good;
+  }
+  const std::vector<Json> cases = cases_like(options.patterns);
+  if (options.request > 0) {
+    if (cases.size() != 1)
+      throw std::invalid_argument("--request: the pattern fits " + std::to_string(cases.size()) +
+                                  " cases; it must fit one");
+    std::printf("%s\n", request_of(cases[0], options.request).dump(2).c_str());
+  } else if (options.json) {
+    std::printf("%s\n", Json(cases).dump(1).c_str());
+  } else if (cases.size() == 1) {
+    std::printf("%s",
+                std::string(embedded("verification/cases/" + cases[0]["name"].get<std::string>() + ".toml")).c_str());
+  } else {
+    list_cases(cases);
+  }
+  return good;
+}
+
+struct JudgeOptions {
+  std::string engine, json, junit;
+  std::vector<std::string> patterns;
+  double limit = 120;  // s
+};
+
+int exit_code_of(const std::vector<Judgement>& all) {
+  bool judged = false, well = true;
+  for (const Judgement& j : all) {
+    judged = judged || j.verdict != Verdict::cannot;
+    well = well && j.verdict <= Verdict::cannot;
+  }
+  if (!judged) std::fprintf(stderr, "furrow: the engine took none of the cases, so nothing is known of it\n");
+  return judged && well ? good : check_failed;
+}
+
+int judge_command(const JudgeOptions& options) {
+  const std::vector<Json> cases = cases_like(options.patterns);
+  const Engine engine = program_engine(options.engine, options.limit);
+  std::vector<Judgement> all;
+  Progress progress;
+  for (const Json& c : cases) {
+    throw_if_interrupted();
+    progress.show(c["name"], "judging", static_cast<double>(all.size()), static_cast<double>(cases.size()));
+    all.push_back(judge_case(c, engine));
+    std::printf("%s\n", table_row(all.back()).c_str());
+    flush_standard_output();
+  }
+  std::printf("\n%s\n", count_line(all).c_str());
+  if (!options.json.empty()) replace_file(options.json, judgements_as_json(all).dump(1) + "\n");
+  if (!options.junit.empty()) replace_file(options.junit, judgements_as_junit(all));
+  return exit_code_of(all);
+}
+
+int engine_command(const std::string& method) {
+  const Json request = Json::parse(std::cin, nullptr, false);
+  if (request.is_discarded())
+    throw std::invalid_argument("the request on standard input is not JSON; see furrow cases --protocol");
+  try {
+    std::printf("%s\n", furrow_answer(request, method).dump(2).c_str());
+  } catch (const Json::exception& fault) {
+    throw std::invalid_argument(std::string("the request does not follow the protocol: ") + fault.what());
+  }
+  return good;
+}
+
+}  // namespace
+
+void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
+  static CasesOptions cases_options;
+  static JudgeOptions judge_options;
+  static std::string method = "verlet";
+  auto* cases = app.add_subcommand("cases", "verification cases that any engine can be given: list, print, take away");
+  cases
+      ->add_option("patterns", cases_options.patterns,
+                   "parts of their names, or needs; one case is printed whole (default: list all)")
+      ->type_name("");
+  auto* json = cases->add_flag("--json", cases_options.json, "all of them in one JSON list, written out");
+  auto* request =
+      cases->add_option("--request", cases_options.request, "what an engine gets of a case at so many steps")
+          ->type_name("STEPS")
+          ->check(whole_number(1, 100000000))
+          ->excludes(json);
+  cases->add_flag("--protocol", cases_options.protocol, "how an engine is asked and how it answers")
+      ->excludes(json)
+      ->excludes(request);
+
+  auto* judge = app.add_subcommand("judge", "give the cases to an engine, and judge its answers");
+  judge
+      ->add_option("--engine", judge_options.engine,
+                   "a command that takes a request on standard input, see furrow cases --protocol")
+      ->required()
+      ->type_name("CMD");
+  judge->add_option("--cases", judge_options.patterns, "parts of names of cases, or needs (default: all)")
+      ->type_name("PATTERN");
+  judge->add_option("--json", judge_options.json, "all values and verdicts")->type_name("FILE");
+  judge
+      ->add_option("--junit", judge_options.junit,
+                   "verdicts for a build server; a case that the engine cannot do is skipped")
+      ->type_name("FILE");
+  judge->add_option("--limit", judge_options.limit, "time for one answer (default: 120)")
+      ->type_name("SECONDS")
+      ->check(moment());
+
+  auto* engine = app.add_subcommand("engine", "furrow as an engine that furrow judge can ask");
+  engine->add_option("--method", method, "integration method with a fixed step (default: verlet)")->type_name("NAME");
+
+  all.insert(all.end(), {{cases, [] { return cases_command(cases_options); }},
+                         {judge, [] { return judge_command(judge_options); }},
+                         {engine, [] { return engine_command(method); }}});
+}
+
+}  // namespace furrow::verification

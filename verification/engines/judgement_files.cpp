@@ -1,0 +1,88 @@
+#include "verification/engines/judgement_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace furrow::verification {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+  }
+  return safe;
+}
+
+Json finding_as_json(const Finding& f) {
+  Json one{{"name", f.name},         {"unit", f.unit},     {"verdict", to_string(f.verdict)},
+           {"expected", f.expected}, {"values", f.values}, {"error", f.error}};
+  if (std::isfinite(f.order) && f.order != 0) one["order"] = f.order;
+  if (f.verdict == Verdict::another_law) one["limit"] = f.limit;
+  one["words"] = f.words;
+  return one;
+}
+
+}  // namespace
+
+std::string table_row(const Judgement& j) {
+  char text[600];
+  std::snprintf(text, sizeof text, "%-34s %-12s %s", j.name.c_str(), to_string(j.verdict).c_str(), j.words.c_str());
+  return text;
+}
+
+std::string count_line(const std::vector<Judgement>& all) {
+  std::string line;
+  for (const Verdict v :
+       {Verdict::right, Verdict::lower_order, Verdict::another_law, Verdict::failed, Verdict::cannot}) {
+    const auto count = std::count_if(all.begin(), all.end(), [v](const Judgement& j) { return j.verdict == v; });
+    line += (line.empty() ? "" : ", ") + std::to_string(count) + " " + to_string(v);
+  }
+  return std::to_string(all.size()) + " cases: " + line;
+}
+
+Json judgements_as_json(const std::vector<Judgement>& all) {
+  Json list = Json::array();
+  for (const Judgement& j : all) {
+    Json findings = Json::array();
+    for (const Finding& f : j.findings) findings.push_back(finding_as_json(f));
+    list.push_back({{"case", j.name},
+                    {"title", j.title},
+                    {"engine", j.engine},
+                    {"method", j.method},
+                    {"order", j.claimed},
+                    {"verdict", to_string(j.verdict)},
+                    {"words", j.words},
+                    {"steps", j.steps},
+                    {"observables", findings}});
+  }
+  return list;
+}
+
+std::string judgements_as_junit(const std::vector<Judgement>& all) {
+  const auto bad =
+      std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict > Verdict::cannot; });
+  const auto skipped =
+      std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict == Verdict::cannot; });
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"furrow judge\" tests=\"" +
+                     std::to_string(all.size()) + "\" failures=\"" + std::to_string(bad) + "\" skipped=\"" +
+                     std::to_string(skipped) + "\">\n";
+  for (const Judgement& j : all) {
+    text += "  <testcase classname=\"" + escaped(j.engine) + "\" name=\"" + escaped(j.name) + "\">";
+    const std::string message = " message=\"" + escaped(to_string(j.verdict) + ": " + j.words) + "\"/>";
+    if (j.verdict == Verdict::cannot) text += "<skipped" + message;
+    if (j.verdict > Verdict::cannot) text += "<failure" + message;
+    text += "</testcase>\n";
+  }
+  return text + "</testsuite>\n";
+}
+
+}  // namespace furrow::verification
