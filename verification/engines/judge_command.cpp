@@ -87,7 +87,17 @@ int judge_command(const JudgeOptions& options) {
   return exit_code_of(all);
 }
 
+int list_methods() {
+  for (const MethodInfo& m : method_catalogue()) {
+    if (!m.controlled) std::printf("%s\n", m.name.c_str());
+  }
+  return good;
+}
+
 int engine_command(const std::string& method) {
+  if (make_method(method)->info().controlled)
+    throw std::invalid_argument("--method: " + method +
+                                " chooses its own step; the judge asks for steps that are given");
   const Json request = Json::parse(std::cin, nullptr, false);
   if (request.is_discarded())
     throw std::invalid_argument("the request on standard input is not JSON; see furrow cases --protocol");
@@ -105,6 +115,7 @@ void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
   static CasesOptions cases_options;
   static JudgeOptions judge_options;
   static std::string method = "verlet";
+  static bool methods = false;
   auto* cases = app.add_subcommand("cases", "verification cases that any engine can be given: list, print, take away");
   cases
       ->add_option("patterns", cases_options.patterns,
@@ -140,9 +151,11 @@ void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
   auto* engine = app.add_subcommand("engine", "furrow as an engine that furrow judge can ask");
   engine->add_option("--method", method, "integration method with a fixed step (default: verlet)")->type_name("NAME");
 
+  engine->add_flag("--methods", methods, "list the methods that take a fixed step, and do nothing else");
+
   all.insert(all.end(), {{cases, [] { return cases_command(cases_options); }},
                          {judge, [] { return judge_command(judge_options); }},
-                         {engine, [] { return engine_command(method); }}});
+                         {engine, [] { return methods ? list_methods() : engine_command(method); }}});
 }
 
 }  // namespace furrow::verification
