@@ -46,6 +46,7 @@ void Kernel::restore(const DiscreteState& d) {
   for (int link = 0; link < parts_->link.count(); ++link) {
     if (!torn(link)) intact_.push_back(link);
   }
+  links_.tear(torn_);
 }
 
 }  // namespace furrow

@@ -109,6 +109,7 @@ void Kernel::grow_slots(int wanting) {
 void Kernel::tear_links(double t, State& y, JumpReport& report) {
   if (intact_.empty()) return;
   move_nodes(*parts_, layout_, y, nodes_);
+  if (!links_.any_over(nodes_)) return;
   const LinkArrays& link = parts_->link;
   double released = 0;
   for (const int k : intact_) {
@@ -125,6 +126,7 @@ void Kernel::tear_links(double t, State& y, JumpReport& report) {
   if (parts_->keeps_ledger) released += lattice_contact_energy(t, y);
   for (const Tear& tear : report.torn) torn_[tear.link] = 1;
   std::erase_if(intact_, [this](int k) { return torn_[k] != 0; });
+  links_.tear(torn_);
   if (parts_->new_faces) find_border();
   if (parts_->keeps_ledger) y[layout_.ledger_of(tear_energy)] += released - lattice_contact_energy(t, y);
 }

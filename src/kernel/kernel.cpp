@@ -7,7 +7,7 @@
 
 namespace furrow {
 Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
-    : Solver(parts, make_layout(*parts)), search_(*parts, search) {
+    : Solver(parts, make_layout(*parts)), search_(*parts, search), links_(parts->link) {
   const DefaultFloatingPoint environment;
   const DiscreteState start = initial_discrete_state(*parts_, layout_);
   slots_.unused = start.unused;
@@ -27,6 +27,7 @@ Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
   intact_.resize(torn_.size());
   std::iota(intact_.begin(), intact_.end(), 0);
   nodes_ = nodes_at_rest(*parts_);
+  for (auto* along : {&nodes_.x, &nodes_.y, &nodes_.vx, &nodes_.vy}) along->resize(along->size() + LinkLanes::whole);
   node_fx_.resize(nodes_.x.size());
   node_fy_.resize(nodes_.x.size());
   const auto one_value = [](const auto& all) { return std::equal(all.begin() + 1, all.end(), all.begin()); };

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <vector>
 
+#include "kernel/links.h"
 #include "kernel/loops.h"
 #include "kernel/parallel.h"
 #include "kernel/search.h"
@@ -160,6 +161,7 @@ class Kernel final : public Solver {
   // Caches: they hold nothing that a result depends on.
   mutable NeighbourSearch search_;
   mutable NodeMotion nodes_;
+  mutable LinkLanes links_;
   mutable std::vector<double> node_fx_, node_fy_;
   mutable std::vector<DiscRow> disc_row_;
   mutable std::vector<DiscLoad> disc_load_;          // of each disc, then each boundary contribution

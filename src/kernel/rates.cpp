@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "kernel/kernel.h"
-#include "physics/link.h"
 
 namespace furrow {
 
@@ -114,21 +113,9 @@ void Kernel::finish_rates(State& dydt) const {
 }
 
 void Kernel::add_link_forces(double* work) const {
-  const LinkArrays& link = parts_->link;
-  double damping = 0;
-  for (const int k : intact_) {
-    const int a = link.a[k];
-    const int b = link.b[k];
-    const LinkForce f = link_force({nodes_.x[a] - nodes_.x[b], nodes_.y[a] - nodes_.y[b]},
-                                   {nodes_.vx[a] - nodes_.vx[b], nodes_.vy[a] - nodes_.vy[b]}, link.rest[k],
-                                   link.stiffness[k], link.damping[k], link.axial[k] != 0);
-    node_fx_[a] += f.fx;
-    node_fy_[a] += f.fy;
-    node_fx_[b] -= f.fx;
-    node_fy_[b] -= f.fy;
-    damping += f.damping;
-  }
-  if (work) work[link_damping] = damping;
+  if (intact_.empty()) return;
+  links_.add_forces(nodes_, node_fx_.data(), node_fy_.data());
+  if (work) work[link_damping] = links_.damping();
 }
 
 void Kernel::add_to_ledger(const TouchBatch& c, int block, double t, double* work) const {
