@@ -3,6 +3,8 @@
 
 #include <sys/resource.h>
 
+#include <thread>
+
 namespace furrow::test {
 namespace {
 
@@ -213,6 +215,25 @@ TEST_F(Program, SecondsOfARunOnTwoThreadsAreThoseOfBoth) {
   const double reported = json["settling_cpu_seconds"].get<double>() + json["cpu_seconds"].get<double>();
   EXPECT_GT(reported, 0.75 * process) << "the scene is read and judged in less than the rest";
   EXPECT_LT(reported, 1.01 * process);
+}
+
+// Threads that wait in a loop burn the time of whatever else runs: beside a busy program a processor, two threads of
+// libgomp took 14 to 37 times the CPU time of one. A waiting thread gives up after 20 microseconds, some sixteen times a
+// step: twice the time of one leaves room for that.
+TEST_F(Program, BesideBusyProgramsTwoThreadsTakeLittleMoreTimeThanOne) {
+  put("bed.toml", bed_on_two_threads(9000, "6e-3", "2.2"));
+  const std::string busy =
+      "for k in $(seq " + std::to_string(std::thread::hardware_concurrency()) +
+      "); do (trap '' HUP; exec timeout 60 sh -c 'while :; do :; done') & pids=\"$pids $!\"; done; ";
+  const auto seconds_with = [&](const std::string& threads) {
+    const int code = code_of_line("run bed.toml --out busy_" + threads + " --threads " + threads +
+                                      " >stdout.txt 2>stderr.txt; code=$?; kill $pids; exit $code",
+                                  busy);
+    EXPECT_EQ(code, 0) << text_of(directory_ / "stderr.txt");
+    return nlohmann::json::parse(text_of(directory_ / ("busy_" + threads) / "run.json"))["cpu_seconds"].get<double>();
+  };
+  const double one = seconds_with("1"), two = seconds_with("2");
+  EXPECT_LT(two, 2 * one);
 }
 
 TEST_F(Program, MethodsListsTheCatalogue) {
