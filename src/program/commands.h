@@ -19,7 +19,7 @@ struct RunOptions {
   std::optional<std::string> method, step, until, locate, threads, solver;
   std::vector<std::string> set;  // "time.step=1e-4"
   std::string resume;            // directory of a run to go on with; empty: begin
-  std::string directory;         // empty: runs/<name of the scene>
+  std::string directory;         // empty: runs/ and the name of the scene
 };
 
 // The scene with the changes from the command line, judged as it will run. Throws SceneError with all that is wrong.
