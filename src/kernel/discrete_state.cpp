@@ -40,8 +40,12 @@ void Kernel::restore(const DiscreteState& d) {
   slots_.now = d.jumps;
   preparing_ = d.preparing;
   layout_.spring_count = d.spring_count();
-  std::fill(torn_.begin(), torn_.end(), 0);
-  for (const int link : d.torn) torn_[link] = 1;
+  tear(d.torn);
+}
+
+void Kernel::tear(const std::vector<int>& links) {
+  torn_.assign(static_cast<std::size_t>(parts_->link.count()), 0);
+  for (const int link : links) torn_[link] = 1;
   intact_.clear();
   for (int link = 0; link < parts_->link.count(); ++link) {
     if (!torn(link)) intact_.push_back(link);

@@ -61,7 +61,7 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
 }
 
 void Kernel::keep_faces(double t, const State& y) {
-  move_nodes(*parts_, layout_, y, nodes_);
+  move_nodes(*parts_, layout_, t, preparing_, y, nodes_);
   const Placement now = placement(t, y);
   search_.update(*parts_, now, threads_);
   HeldFaces kept;
@@ -108,7 +108,7 @@ void Kernel::grow_slots(int wanting) {
 
 void Kernel::tear_links(double t, State& y, JumpReport& report) {
   if (intact_.empty()) return;
-  move_nodes(*parts_, layout_, y, nodes_);
+  move_nodes(*parts_, layout_, t, preparing_, y, nodes_);
   if (!links_.any_over(nodes_)) return;
   const LinkArrays& link = parts_->link;
   double released = 0;

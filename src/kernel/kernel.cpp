@@ -1,7 +1,6 @@
 #include "kernel/kernel.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "system/floating_point.h"
 
@@ -12,6 +11,7 @@ Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
   const DiscreteState start = initial_discrete_state(*parts_, layout_);
   slots_.unused = start.unused;
   search_.border = start.border;
+  tear(start.torn);
   for (int i = 0; i < parts_->disc.count(); ++i) {
     inverse_mass_.push_back(1 / parts_->disc.mass[i]);
     inverse_inertia_.push_back(1 / parts_->disc.inertia[i]);
@@ -23,9 +23,6 @@ Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
     inverse_mass_.push_back(1 / node.mass[n]);
     gravity_.push_back(node.gravity[n]);
   }
-  torn_.assign(static_cast<std::size_t>(parts_->link.count()), 0);
-  intact_.resize(torn_.size());
-  std::iota(intact_.begin(), intact_.end(), 0);
   nodes_ = nodes_at_rest(*parts_);
   for (auto* along : {&nodes_.x, &nodes_.y, &nodes_.vx, &nodes_.vy}) along->resize(along->size() + LinkLanes::whole);
   node_fx_.resize(nodes_.x.size());

@@ -132,6 +132,7 @@ class Kernel final : public Solver {
   void finish_survey();
   void tear_links(double t, State& y, JumpReport& report);
   void find_border();
+  void tear(const std::vector<int>& links);  // these, and no others
 
   bool preparing_ = false;
   int threads_ = 1;

@@ -12,7 +12,7 @@ void Kernel::flow(double t, const State& y, State& dydt) const {
 }
 
 void Kernel::update_positions(double t, const State& y) const {
-  move_nodes(*parts_, layout_, y, nodes_);
+  move_nodes(*parts_, layout_, t, preparing_, y, nodes_);
   search_.update(*parts_, placement(t, y), threads_);
   disc_row_.resize(static_cast<std::size_t>(parts_->disc.count()));
   const double* at = y.data();
@@ -110,12 +110,15 @@ void Kernel::finish_rates(State& dydt) const {
     ax[body] = node_fx_[n] * inverse_mass_[body];
     ay[body] = node_fy_[n] * inverse_mass_[body] - gravity_[body];
   }
+  for (const int body : parts_->held_x) ax[body] = 0;
+  for (const int body : parts_->held_y) ay[body] = 0;
 }
 
 void Kernel::add_link_forces(double* work) const {
-  if (intact_.empty()) return;
   links_.add_forces(nodes_, node_fx_.data(), node_fy_.data());
-  if (work) work[link_damping] = links_.damping();
+  if (!work) return;
+  work[link_damping] = links_.damping();
+  for (const int n : parts_->driven) work[plate_work] -= node_fx_[n] * nodes_.vx[n] + node_fy_[n] * nodes_.vy[n];
 }
 
 void Kernel::add_to_ledger(const TouchBatch& c, int block, double t, double* work) const {

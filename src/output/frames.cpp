@@ -85,14 +85,14 @@ Table discs_of(const System& system, double t, const State& y) {
   return table;
 }
 
-Table links_of(const System& system, const State& y) {
+Table links_of(const System& system, double t, const State& y) {
   Table table{{"x1 [m]", "y1 [m]", "x2 [m]", "y2 [m]", "force [N]", "kind"},
               "Lines",
               {"points", {0, 1, 2, 3}},
               {{"force [N]", {4}}, {"kind", {6}, "Int32"}}};
   const LinkArrays& link = system.parts().link;
-  const NodeMotion node = system.nodes(y);
-  const std::vector<double> force = link_forces(system, y);
+  const NodeMotion node = system.nodes(t, y);
+  const std::vector<double> force = link_forces(system, t, y);
   for (int k = 0; k < link.count(); ++k) {
     if (system.torn(k)) continue;
     const int a = link.a[k], b = link.b[k];
@@ -140,7 +140,7 @@ void Frames::add(const System& system, double t, double displacement, const Stat
          << ".vtp\"/>\n";
   };
   write("discs", discs_of(system, t, y));
-  write("links", links_of(system, y));
+  write("links", links_of(system, t, y));
   write("plates", plates_of(system, t));
   list_.row(static_cast<int>(count_++), t, displacement);
   list_.flush();

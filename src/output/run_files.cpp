@@ -25,15 +25,16 @@ namespace {
 namespace fs = std::filesystem;
 
 // Those that a run goes on with after so many frames.
-std::vector<std::string> lasting_files(std::size_t frames) {
+std::vector<std::string> lasting_files(const Scene& scene, std::size_t frames) {
   std::vector<std::string> files = Frames::files(frames);
   for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", checkpoint_name})
     files.emplace_back(name);
+  if (drives_nodes(scene)) files.emplace_back("drive_force.csv");
   return files;
 }
 
 std::vector<std::string> files_of(const Scene& scene) {
-  std::vector<std::string> files = lasting_files(scene.output.frames.size());
+  std::vector<std::string> files = lasting_files(scene, scene.output.frames.size());
   for (const char* name : {"state.csv", "scene.toml", "run.json"}) files.emplace_back(name);
   return files;
 }
@@ -52,7 +53,7 @@ class SaveClock {
 void write_state(const fs::path& directory, const System& system, double t, const State& y) {
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   const Parts& parts = system.parts();
-  const NodeMotion nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(t, y);
   OutputFile file(directory / "state.csv",
                   "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]");
   for (int i = 0; i < parts.disc.count(); ++i) {
@@ -60,8 +61,8 @@ void write_state(const fs::path& directory, const System& system, double t, cons
              parts.disc.radius[i], von_mises(stress[i]));
   }
   for (int n = 0; n < parts.node.count(); ++n) {
-    file.row(parts.node.body[n] < 0 ? "fixed node" : "node", n, nodes.x[n], nodes.y[n], nodes.vx[n], nodes.vy[n], "",
-             "", "");
+    const char* kind = parts.node.drive[n] >= 0 ? "driven node" : parts.node.body[n] < 0 ? "fixed node" : "node";
+    file.row(kind, n, nodes.x[n], nodes.y[n], nodes.vx[n], nodes.vy[n], "", "", "");
   }
   file.finish();
 }
@@ -193,7 +194,7 @@ RunOutcome run_with_files(const RunRequest& request) {
   std::optional<SavedRun> saved;
   if (request.resume) {
     saved.emplace(request.directory, request.scene);
-    directory.keep_only(lasting_files(saved->series().frames.count));
+    directory.keep_only(lasting_files(request.scene, saved->series().frames.count));
   }
   RunOutcome outcome = run_in_own_directory(request, saved ? &*saved : nullptr);
   directory.conclude(outcome.ended);

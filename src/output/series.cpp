@@ -25,8 +25,13 @@ double displacement_of_first(const System& system, double t) {
 
 }  // namespace
 
+bool drives_nodes(const Scene& scene) {
+  return std::any_of(scene.lattice.begin(), scene.lattice.end(), [](const Lattice& l) { return !l.drive.empty(); });
+}
+
 void SeriesMemory::history(HistoryVisitor& visit) {
   visit("bytes of plate_force.csv", force_bytes);
+  visit("bytes of drive_force.csv", drive_bytes);
   visit("bytes of energy.csv", energy_bytes);
   visit("bytes of motion.csv", motion_bytes);
   visit("bytes of events.csv", events_bytes);
@@ -56,6 +61,10 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
                                 "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]",
                                 kept ? &kept->events_bytes : nullptr)),
       frames_(directory, kept ? &kept->frames : nullptr) {
+  if (drives_nodes(scene))
+    drive_.reset(new OutputFile(OutputFile::begun(directory / "drive_force.csv",
+                                                  "t [s],lattice,drive,displacement [m],Fx [N],Fy [N],F [N]",
+                                                  kept ? &kept->drive_bytes : nullptr)));  // it cannot be moved
   if (!kept) return;
   rows_ = kept->rows;
   start_ = kept->start;
@@ -64,7 +73,10 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
 
 SeriesMemory Series::memory() {
   flush();
-  return {force_.bytes(), energy_.bytes(), motion_.bytes(), events_.bytes(), frames_.memory(), rows_, start_};
+  return {force_.bytes(),  drive_ ? drive_->bytes() : 0,
+          energy_.bytes(), motion_.bytes(),
+          events_.bytes(), frames_.memory(),
+          rows_,           start_};
 }
 
 void Series::see(const System& system, double t, const State& y, const JumpReport& report) {
@@ -87,8 +99,25 @@ double Series::next_stop(double t) const {
 }
 
 void Series::close(bool complete) {
-  for (OutputFile* file : {&force_, &energy_, &motion_, &events_}) complete ? file->finish() : file->close();
+  for (OutputFile* file : files()) complete ? file->finish() : file->close();
   frames_.close(complete);
+}
+
+std::vector<OutputFile*> Series::files() {
+  std::vector<OutputFile*> all{&force_, &energy_, &motion_, &events_};
+  if (drive_) all.push_back(&*drive_);
+  return all;
+}
+
+void Series::add_drives(const System& system, double t, const std::vector<Force>& forces) {
+  int last = -1, number = 0;  // of the drives of one lattice
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    const DrivePart& d = system.parts().drive[k];
+    number = d.lattice == last ? number + 1 : 0;
+    last = d.lattice;
+    drive_->row(t, lattices_[d.lattice], number, std::hypot(d.vx, d.vy) * ramped_time(t, d.ramp), forces[k].x,
+                forces[k].y, std::hypot(forces[k].x, forces[k].y));
+  }
 }
 
 void Series::add_rows(const System& system, double t, const State& y) {
@@ -98,6 +127,7 @@ void Series::add_rows(const System& system, double t, const State& y) {
     const Force& f = seen.plate[k];
     force_.row(t, plates_[k], displacement(system.parts().plate[k], t), f.x, f.y, std::hypot(f.x, f.y));
   }
+  if (drive_) add_drives(system, t, seen.drive);
   const Energies& e = seen.energy;
   if (system.keeps_ledger()) {
     energy_.row(t, e.kinetic, e.gravity, e.load, e.springs, e.contact_elastic, e.link_damping, e.contact_viscous,
@@ -113,7 +143,7 @@ void Series::add_rows(const System& system, double t, const State& y) {
 }
 
 void Series::flush() {
-  for (OutputFile* file : {&force_, &energy_, &motion_, &events_}) file->flush();
+  for (OutputFile* file : files()) file->flush();
 }
 
 void Series::add_tear(const System& system, const Tear& tear) {

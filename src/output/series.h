@@ -1,10 +1,12 @@
 // The series of a run: what is written row by row while it goes on, and its frames. Rows stay in
 // memory for a twentieth of a second at most while more of them come; a disk that is full ends the run then.
 //   plate_force.csv  each row with the displacement of its own plate
+//   drive_force.csv  of a scene that drives nodes, each row with the displacement of its own drive
 //   events.csv       torn links, with the displacement of the first plate; 0 without a plate
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "output/files.h"
@@ -14,9 +16,12 @@
 
 namespace furrow {
 
+// Whether the scene drives nodes of a lattice.
+bool drives_nodes(const Scene& scene);
+
 // How far a series has come.
 struct SeriesMemory {
-  std::uint64_t force_bytes = 0, energy_bytes = 0, motion_bytes = 0, events_bytes = 0;
+  std::uint64_t force_bytes = 0, drive_bytes = 0, energy_bytes = 0, motion_bytes = 0, events_bytes = 0;
   Frames::Memory frames;
   long rows = 0;
   Energies start;
@@ -48,6 +53,8 @@ class Series {
   void close(bool complete);
 
  private:
+  std::vector<OutputFile*> files();
+  void add_drives(const System& system, double t, const std::vector<Force>& forces);
   void add_rows(const System& system, double t, const State& y);
   void add_tear(const System& system, const Tear& tear);
 
@@ -57,6 +64,7 @@ class Series {
   Validity& validity_;
   std::vector<std::string> plates_, lattices_;  // what rows call them
   OutputFile force_, energy_, motion_, events_;
+  std::unique_ptr<OutputFile> drive_;  // of a scene that drives nodes
   Frames frames_;
   Energies start_;
   long rows_ = 0;

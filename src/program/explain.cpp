@@ -9,6 +9,7 @@
 #include "physics/impact.h"
 #include "program/commands.h"
 #include "program/explain_line.h"
+#include "program/explain_stems.h"
 #include "program/explain_validity.h"
 #include "program/progress.h"
 #include "run/observe.h"
@@ -33,10 +34,15 @@ void print_modelled(const Scene& scene, const System& system) {
   }
   if (parts.node.count() > 0) {
     const auto of = [&](LinkClass kind) { return std::count(parts.link.kind.begin(), parts.link.kind.end(), kind); };
+    const int driven = static_cast<int>(parts.driven.size());
     line("lattice nodes", "%d free, 4 numbers each; %d fixed, none", parts.free_nodes,
-         parts.node.count() - parts.free_nodes);
+         parts.node.count() - parts.free_nodes - driven);
+    if (driven > 0) line("driven nodes", "%d, no numbers: they move as %zu drives say", driven, parts.drive.size());
     line("links", "%d: %td structural, %td shear, %td bending; no numbers of their own", parts.link.count(),
          of(LinkClass::structural), of(LinkClass::shear), of(LinkClass::bending));
+    if (!parts.link.notched.empty()) line("notches", "%zu links are torn from the start", parts.link.notched.size());
+    if (const std::size_t rollers = parts.held_x.size() + parts.held_y.size(); rollers > 0)
+      line("rollers", "%zu nodes keep their x or their y", rollers);
   }
   line("walls, plates", "%s, %s; no numbers: they do not react", count(parts.wall.size(), "wall").c_str(),
        count(parts.plate.size(), "plate").c_str());
@@ -68,6 +74,7 @@ void print_left_out(const Scene& scene, const System& system) {
   for (const Lattice& l : scene.lattice) {
     const std::string name = "lattice " + l.name;
     if (!l.gravity && scene.model.gravity != 0) line(name, "has no weight (gravity = false)");
+    if (l.stem) continue;
     for (const auto& [kind, k] : {std::pair("structural", l.structural), {"shear", l.shear}, {"bending", l.bending}}) {
       if (k.stiffness == 0 && k.damping == 0)
         line(name, "has no %s links (stiffness and damping 0)", kind);
@@ -83,12 +90,15 @@ void print_left_out(const Scene& scene, const System& system) {
   if (!parts.lattice.empty())
     line("lattices", "and parts of a torn one do not touch each other; run.json says where they cross");
   print_borders(scene, parts);
-  if (parts.node.count() > parts.free_nodes) line("fixed nodes", "touch discs, but neither plates nor walls");
+  if (parts.node.count() > parts.free_nodes)
+    line(parts.driven.empty() ? "fixed nodes" : "fixed, driven nodes", "touch discs, but neither plates nor walls");
 }
 
 double characteristic_speed(const Scene& scene) {
   double speed = 0;
   for (const Plate& p : scene.plate) speed = std::max(speed, std::hypot(p.velocity.x, p.velocity.y));
+  for (const Lattice& l : scene.lattice)
+    for (const Drive& d : l.drive) speed = std::max(speed, std::hypot(d.velocity.x, d.velocity.y));
   for (const Disc& d : scene.disc) speed = std::max(speed, std::hypot(d.velocity.x, d.velocity.y));
   return speed > 0 ? speed : 1;
 }
@@ -182,6 +192,7 @@ int explain_command(const RunOptions& options) {
   for (const std::string& text : scene_warnings(scene)) std::printf("warning: %s\n", text.c_str());
   print_modelled(scene, system);
   print_left_out(scene, system);
+  print_stems(scene);
   print_contacts(scene, system);
   print_smallest_disc(scene, system.parts());
   print_passing(system.parts());

@@ -21,6 +21,7 @@ std::vector<SceneKey> wanted_keys(const std::vector<std::string>& patterns) {
 std::string in_words(const SceneKey& key) {
   std::string text = key.path + "\n    " + type_and_range(key);
   if (key.required) text += "; required";
+  if (!key.follows.empty()) text += "; not with " + key.follows;
   if (!key.default_value.empty()) text += "; default " + key.default_value;
   text += "\n    " + key.meaning + '\n';
   for (const auto& [word, meaning] : key.words) text += "      \"" + word + "\": " + meaning + '\n';

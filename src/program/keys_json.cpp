@@ -45,6 +45,7 @@ Json in_json(const SceneKey& key) {
             {"default", key.default_value},
             {"example", key.example},
             {"meaning", key.meaning},
+            {"follows", key.follows},
             {"words", Json::object()}};
   for (const auto& [word, meaning] : key.words) json["words"][word] = meaning;
   return json;
@@ -77,14 +78,28 @@ Json key_schema(const SceneKey& key) {
   return json;
 }
 
+// Where the key that these follow from is given none of them is; else those that are required are.
+void add_choice(Json& json, const std::vector<SceneKey>& unless) {
+  json["if"]["required"] = {unless.front().follows};
+  for (const SceneKey& key : unless) {
+    json["then"]["properties"][key.name()] = false;
+    if (key.required) json["else"]["required"].push_back(key.name());
+  }
+}
+
 // `table` as "lattice.node.", or empty for the scene.
 Json table_schema(const std::string& table) {
   Json json{{"type", "object"}, {"additionalProperties", false}};
+  std::vector<SceneKey> unless;
   for (const SceneKey& key : scene_keys()) {
     if (key.table() != table) continue;
     json["properties"][key.name()] = key_schema(key);
-    if (key.required) json["required"].push_back(key.name());
+    if (!key.follows.empty())
+      unless.push_back(key);
+    else if (key.required)
+      json["required"].push_back(key.name());
   }
+  if (!unless.empty()) add_choice(json, unless);
   return json;
 }
 

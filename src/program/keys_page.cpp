@@ -1,5 +1,6 @@
 // The keys of scene files as a page in Markdown: a section for each table of a scene.
 #include <algorithm>
+#include <utility>
 
 #include "program/commands.h"
 
@@ -22,7 +23,8 @@ std::string meaning_of(const SceneKey& key) {
 }
 
 std::string row(const SceneKey& key) {
-  const std::string without = key.required ? "required" : code(key.default_value);
+  std::string without = key.required ? "required" : code(key.default_value);
+  if (!key.follows.empty()) without += (without.empty() ? "not with " : "; not with ") + code(key.follows);
   return "| " + code(key.name()) + " | " + meaning_of(key) + " | " + cell(type_and_range(key)) + " | " + without +
          " | " + code(key.example) + " |\n";
 }
@@ -50,11 +52,14 @@ std::string keys_as_page(const std::vector<SceneKey>& keys) {
       "# The keys of a scene file\n\nMade by `furrow keys --markdown`; `furrow keys PATTERN` prints those with PATTERN "
       "in their names. A table in `[[...]]` may be\ngiven many times. A key without a default does nothing where it "
       "is left out, or what its meaning says.\n";
-  std::string section = "none";
+  std::vector<std::pair<std::string, std::string>> sections;  // path and text: a table may stand amid another's keys
   for (const SceneKey& key : keys) {
-    if (section_of(key) != section) text += begin_section(section = section_of(key));
-    if (key.type != SceneKey::Type::table) text += row(key);
+    const std::string path = section_of(key);
+    auto found = std::find_if(sections.begin(), sections.end(), [&](const auto& s) { return s.first == path; });
+    if (found == sections.end()) found = sections.insert(found, {path, begin_section(path)});
+    if (key.type != SceneKey::Type::table) found->second += row(key);
   }
+  for (const auto& section : sections) text += section.second;
   return text;
 }
 

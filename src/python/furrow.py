@@ -235,6 +235,7 @@ class Run:
         return Table.from_csv(file)
 
     plate_force = property(lambda self: self.table("plate_force.csv"))
+    drive_force = property(lambda self: self.table("drive_force.csv"))  # of a scene that drives nodes
     energy = property(lambda self: self.table("energy.csv"))
     motion = property(lambda self: self.table("motion.csv"))
     events = property(lambda self: self.table("events.csv"))

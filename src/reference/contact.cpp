@@ -16,7 +16,10 @@ Body disc_of(const Moment& now, int disc) {
 Body node_of(const Moment& now, int node) {
   const Layout& at = now.layout;
   const int body = now.parts.node.body[node];
-  if (body < 0) return {{now.parts.node.x[node], now.parts.node.y[node]}, {}, 0};  // fixed
+  if (body < 0) {  // fixed or driven
+    const NodeAt held = held_node_at(now.parts, node, now.t, now.discrete.preparing);
+    return {{held.x, held.y}, {held.vx, held.vy}, 0};
+  }
   return {{now.y[at.x_of(body)], now.y[at.y_of(body)]}, {now.y[at.vx_of(body)], now.y[at.vy_of(body)]}, 0};
 }
 

@@ -79,6 +79,14 @@ void add_links(const Moment& now, Sums& sums) {
   }
 }
 
+// What moves driven nodes holds them against the sum of forces.
+void drive(const Moment& now, Sums& sums) {
+  for (const int n : now.parts.driven) {
+    const Vec2 v = node_of(now, n).velocity;
+    sums.plate_work -= sums.node[n].fx * v.x + sums.node[n].fy * v.y;
+  }
+}
+
 // Newton's law, body by body.
 void accelerate(const Moment& now, const Sums& sums, State& rates) {
   const Parts& parts = now.parts;
@@ -94,6 +102,8 @@ void accelerate(const Moment& now, const Sums& sums, State& rates) {
     rates[at.vx_of(body)] = sums.node[n].fx * (1 / parts.node.mass[n]);
     rates[at.vy_of(body)] = sums.node[n].fy * (1 / parts.node.mass[n]) - parts.node.gravity[n];
   }
+  for (const int body : parts.held_x) rates[at.vx_of(body)] = 0;  // a roller takes the force
+  for (const int body : parts.held_y) rates[at.vy_of(body)] = 0;
 }
 
 void book(const Layout& at, const Sums& sums, State& rates) {
@@ -145,6 +155,7 @@ void flow(const Moment& now, State& rates) {
   add_disc_pairs(now, touching, sums);
   add_other_contacts(now, touching, sums);
   add_links(now, sums);
+  drive(now, sums);
 
   std::fill(rates.begin(), rates.end(), 0.0);
   std::copy_n(now.y.begin() + at.vx_of(0), 2 * at.bodies, rates.begin());  // x' = v

@@ -202,7 +202,7 @@ Driver driver_of(const System& system, double t, const State& y, const Linearise
     const Powers p = powers_of(system, c, moves, rate);
     take(p.sum(), p.how(), [&] { return "contact of " + contact_name(system.parts(), c.id); });
   });
-  const NodeMotion nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(t, y);
   for (int k = 0; k < parts.link.count(); ++k) {
     if (system.torn(k)) continue;
     const int a = parts.link.a[k];

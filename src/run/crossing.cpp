@@ -27,9 +27,11 @@ Path path_from_plate(const System& system, const Step& s, int plate, int body) {
           from_middle(system, plate, s.t, place(system, s.after, body))};
 }
 
-Vec2 node_place(const System& system, const State& y, int node) {
+Vec2 node_place(const System& system, double t, const State& y, int node) {
   const int body = system.parts().node.body[node];
-  return body < 0 ? Vec2{system.parts().node.x[node], system.parts().node.y[node]} : place(system, y, body);
+  if (body >= 0) return place(system, y, body);
+  const NodeAt held = held_node_at(system.parts(), node, t, system.solver().preparing());
+  return {held.x, held.y};
 }
 
 // Twice the area of the triangle a, b, p: positive if p is to the left of a -> b.
@@ -39,10 +41,10 @@ bool crosses_segment(const System& system, const Step& s, int disc, int segment)
   const BorderArrays& border = system.parts().border;
   const int link = border.link[segment];
   if (border.a[segment] == border.b[segment] || (link >= 0 && system.torn(link))) return false;
-  const auto ends = [&](const State& y) {
-    return Path{node_place(system, y, border.a[segment]), node_place(system, y, border.b[segment])};
+  const auto ends = [&](double t, const State& y) {
+    return Path{node_place(system, t, y, border.a[segment]), node_place(system, t, y, border.b[segment])};
   };
-  const Path was = ends(s.before), is = ends(s.after);
+  const Path was = ends(s.t - s.h, s.before), is = ends(s.t, s.after);
   const Vec2 from = place(system, s.before, disc), to = place(system, s.after, disc);
   const double left_before = side_of(was.from, was.to, from), left_after = side_of(is.from, is.to, to);
   if ((left_before > 0) == (left_after > 0)) return false;
@@ -127,14 +129,14 @@ struct StandingSegment {
 };
 
 // Without links across cells, which cross each other from the start on.
-std::vector<StandingSegment> standing_segments(const System& system, const State& y) {
+std::vector<StandingSegment> standing_segments(const System& system, double t, const State& y) {
   const BorderArrays& border = system.parts().border;
   std::vector<StandingSegment> standing;
   for (const int s : system.border()) {
     const int link = border.link[s];
     if (border.a[s] == border.b[s]) continue;
     if (link >= 0 && (system.torn(link) || system.parts().link.kind[link] == LinkClass::shear)) continue;
-    StandingSegment one{s, node_place(system, y, border.a[s]), node_place(system, y, border.b[s]), {}};
+    StandingSegment one{s, node_place(system, t, y, border.a[s]), node_place(system, t, y, border.b[s]), {}};
     one.box.add(one.a);
     one.box.add(one.b);
     standing.push_back(one);
@@ -165,12 +167,12 @@ std::string names_of(const System& system, int one, int other) {
 
 }  // namespace
 
-CrossingBorders crossing_borders(const System& system, const State& y) {
+CrossingBorders crossing_borders(const System& system, double t, const State& y) {
   const BorderArrays& border = system.parts().border;
   const std::vector<char> torn = torn_lattices(system);
   CrossingBorders found;
   if (torn.size() == 1 && torn[0] == 0) return found;
-  const std::vector<StandingSegment> standing = standing_segments(system, y);
+  const std::vector<StandingSegment> standing = standing_segments(system, t, y);
   for (std::size_t i = 0; i < standing.size(); ++i) {
     const StandingSegment& p = standing[i];
     for (std::size_t k = i + 1; k < standing.size() && standing[k].box.left <= p.box.right; ++k) {

@@ -26,7 +26,7 @@ struct CrossingBorders {
   int pairs = 0;
   std::string where{};
 };
-CrossingBorders crossing_borders(const System& system, const State& y);
+CrossingBorders crossing_borders(const System& system, double t, const State& y);
 
 // The first disc or node that in this step came from one side of a plate to another and touches it neither before nor
 // after: the plate stepped over it. a = -1: none.

@@ -39,11 +39,11 @@ bool same_pair(const Regime::Pushing& one, const Regime::Pushing& other) {
 double power(double x, int q) { return q == 4 ? x * x * x * x : x * x; }
 double root(double x, int q) { return q == 4 ? std::sqrt(std::sqrt(x)) : std::sqrt(x); }
 
-std::vector<int> overstretched(const System& system, const State& y) {
+std::vector<int> overstretched(const System& system, double t, const State& y) {
   const LinkArrays& link = system.parts().link;
   std::vector<int> which;
   if (link.count() == 0) return which;
-  const std::vector<double> force = link_forces(system, y);
+  const std::vector<double> force = link_forces(system, t, y);
   for (int k = 0; k < link.count(); ++k) {
     if ((link.in_magnitude[k] != 0 ? std::fabs(force[k]) : force[k]) > link.strength[k]) which.push_back(k);
   }
@@ -87,7 +87,7 @@ JumpReport jump(System& system, Method& method, double t, State& y) {
 }
 
 Regime EventSteps::regime(double t, const State& y) const {
-  Regime r{{}, overstretched(system_, y)};
+  Regime r{{}, overstretched(system_, t, y)};
   if (what_ != Locate::all) return r;
   system_.for_each_contact(t, y, [&](const Contact& c) {
     const ContactLaw& law = system_.parts().law[c.law];
@@ -155,7 +155,7 @@ double EventSteps::back_to_tear(double t, const State& before, double reached, S
   for (int halvings = 0; halvings < 40; ++halvings) {
     const double middle = 0.5 * (whole + torn);
     place(middle);
-    (overstretched(system_, y).empty() ? whole : torn) = middle;
+    (overstretched(system_, t + middle * h, y).empty() ? whole : torn) = middle;
   }
   place(torn);
   return t + torn * h;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "physics/link.h"
+
 namespace furrow {
 namespace {
 
@@ -32,6 +34,41 @@ void add_motion(const System& system, const State& y, Observation& seen) {
                         node.load_y[n] * (y[system.y_of(node.body[n])] - node.y[n]);
   }
 }
+
+// Adds up what acts on the driven nodes.
+class DriveForces {
+ public:
+  DriveForces(const Parts& parts, std::vector<Force>& sums) : parts_(parts), sums_(sums) {
+    sums_.resize(parts.drive.size());
+  }
+  void add(int node, double fx, double fy) {
+    const int drive = parts_.node.drive[node];
+    if (drive < 0) return;
+    sums_[drive].x += fx;
+    sums_[drive].y += fy;
+  }
+  void add(const Contact& c) {
+    if (c.id.kind != disc_lattice) return;
+    add(parts_.border.a[c.segment], (c.share - 1) * c.fx, (c.share - 1) * c.fy);
+    add(parts_.border.b[c.segment], -c.share * c.fx, -c.share * c.fy);
+  }
+  void add_links(const System& system, double t, const State& y) {
+    const NodeMotion n = system.nodes(t, y);
+    const LinkArrays& link = parts_.link;
+    for (int k = 0; k < link.count(); ++k) {
+      const int a = link.a[k], b = link.b[k];
+      if (system.torn(k) || (parts_.node.drive[a] < 0 && parts_.node.drive[b] < 0)) continue;
+      const LinkForce f = link_force({n.x[a] - n.x[b], n.y[a] - n.y[b]}, {n.vx[a] - n.vx[b], n.vy[a] - n.vy[b]},
+                                     link.rest[k], link.stiffness[k], link.damping[k], link.axial[k] != 0);
+      add(a, f.fx, f.fy);
+      add(b, -f.fx, -f.fy);
+    }
+  }
+
+ private:
+  const Parts& parts_;
+  std::vector<Force>& sums_;
+};
 
 }  // namespace
 
@@ -64,6 +101,7 @@ Observation observe(const System& system, double t, const State& y) {
   Observation seen;
   const Parts& parts = system.parts();
   seen.plate.resize(parts.plate.size());
+  DriveForces drives(parts, seen.drive);
   ContactId deepest;
   system.for_each_contact(t, y, [&](const Contact& c) {
     ++seen.contacts;
@@ -73,13 +111,15 @@ Observation observe(const System& system, double t, const State& y) {
       seen.overlap = {c.touch.overlap, c.touch.overlap / size, {}};
       deepest = c.id;
     }
+    if (!seen.drive.empty()) drives.add(c);
     if (!of_plate(c.id.kind)) return;
     seen.plate[c.id.b].x -= c.fx;
     seen.plate[c.id.b].y -= c.fy;
   });
   seen.overlap.between = contact_name(parts, deepest);
   add_motion(system, y, seen);
-  const std::vector<double> tension = link_forces(system, y);
+  if (!seen.drive.empty()) drives.add_links(system, t, y);
+  const std::vector<double> tension = link_forces(system, t, y);
   for (int k = 0; k < parts.link.count(); ++k) {
     if (parts.link.stiffness[k] > 0) seen.energy.springs += 0.5 * tension[k] * tension[k] / parts.link.stiffness[k];
   }
@@ -110,9 +150,9 @@ std::vector<Stress> disc_stresses(const System& system, double t, const State& y
   return stress;
 }
 
-std::vector<double> link_forces(const System& system, const State& y) {
+std::vector<double> link_forces(const System& system, double t, const State& y) {
   const LinkArrays& link = system.parts().link;
-  const NodeMotion nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(t, y);
   std::vector<double> force(link.a.size(), 0.0);
   for (int k = 0; k < link.count(); ++k) {
     if (system.torn(k)) continue;

@@ -42,6 +42,7 @@ struct Overlap {
 
 struct Observation {
   std::vector<Force> plate;  // on each plate
+  std::vector<Force> drive;  // on the nodes of each drive, from links and contacts
   Energies energy;           // without a ledger only the stored ones
   Momentum momentum;
   Overlap overlap;  // the greatest relative one
@@ -54,7 +55,7 @@ Observation observe(const System& system, double t, const State& y);
 std::vector<Stress> disc_stresses(const System& system, double t, const State& y);
 
 // N, tension positive, by link; 0 for torn ones.
-std::vector<double> link_forces(const System& system, const State& y);
+std::vector<double> link_forces(const System& system, double t, const State& y);
 
 // m/s, of the fastest disc or node, when the fastest of all, this share of them, are left out.
 double greatest_speed(const System& system, const State& y, double left_out = 0);

@@ -67,9 +67,9 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
   });
 }
 
-void add_links(const System& system, const State& y, std::vector<Body>& bodies) {
+void add_links(const System& system, double t, const State& y, std::vector<Body>& bodies) {
   const Parts& parts = system.parts();
-  const NodeMotion nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(t, y);
   for (int k = 0; k < parts.link.count(); ++k) {
     if (system.torn(k)) continue;
     const int a = parts.link.a[k];
@@ -102,7 +102,7 @@ void StiffPart::history(HistoryVisitor& visit) {
 StiffPart stiffest_part(const System& system, double t, const State& y) {
   std::vector<Body> bodies(static_cast<std::size_t>(system.parts().bodies()));
   add_contacts(system, t, y, bodies);
-  add_links(system, y, bodies);
+  add_links(system, t, y, bodies);
   StiffPart stiffest;
   stiffest.oscillator = {0, 0};
   for (std::size_t i = 0; i < bodies.size(); ++i) {

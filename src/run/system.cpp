@@ -50,9 +50,9 @@ void System::fit(State& y) const {
   Growth{size() - y.size(), static_cast<std::size_t>(layout().size() - layout().first_dummy())}.apply(y);
 }
 
-NodeMotion System::nodes(const State& y) const {
+NodeMotion System::nodes(double t, const State& y) const {
   NodeMotion nodes = nodes_at_rest(parts());
-  move_nodes(parts(), layout(), y, nodes);
+  move_nodes(parts(), layout(), t, solver_->preparing(), y, nodes);
   return nodes;
 }
 

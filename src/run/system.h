@@ -96,7 +96,7 @@ class System : public OdeSystem {
   PlateAt plate_at(int plate, double t) const {
     return furrow::plate_at(parts().plate[plate], t, solver_->preparing());
   }
-  NodeMotion nodes(const State& y) const;
+  NodeMotion nodes(double t, const State& y) const;
 
   // 64-bit FNV-1a of the bits of positions, velocities, spins, springs and of which links are torn, and of the
   // faces of plates that bodies keep.

@@ -243,7 +243,7 @@ void Validity::look_for_crossings(const Step& step, const Survey& survey) {
 
 void Validity::look_at_borders(const Step& step) {
   if (system_.parts().lattice.empty() || (since_crossed_++ % borders_every) != 0) return;
-  const CrossingBorders found = crossing_borders(system_, step.after);
+  const CrossingBorders found = crossing_borders(system_, step.t, step.after);
   look(WatchKind::crossing_lattices, step.t, found.pairs, [&] { return found.where; });
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "scene/findings.h"
+#include "scene/lattice_parts.h"
 #include "scene/mechanism.h"
 #include "scene/wording.h"
 
@@ -51,8 +52,24 @@ void judge_mechanism(const std::string& path, const Lattice& l, Findings& found)
     if (const int free = free_motions(l); free > 0)
       found.warning(path, std::to_string(free) + (free == 1 ? " of its motions meets" : " of its motions meet") +
                               " no stiffness: it folds up freely");
-  } else if (l.structural.stiffness > 0 && l.shear.stiffness == 0) {
+  } else if (!l.stem && l.structural.stiffness > 0 && l.shear.stiffness == 0) {
     found.warning(path, "without stiffness of its shear links it folds up freely");
+  }
+}
+
+void judge_drives(const std::string& path, const Lattice& l, Findings& found) {
+  for (std::size_t k = 0; k < l.drive.size(); ++k)
+    if (l.drive[k].ramp > 0 && l.drive[k].velocity == Vec2{})
+      found.warning(path + '.' + item("drive", k) + ".ramp", "has no effect: the velocity is 0");
+}
+
+void judge_links(const std::string& path, const Lattice& l, Findings& found) {
+  if (l.link.empty()) return;
+  const std::vector<LatticeLink> links = links_of(l);
+  for (std::size_t k = 0; k < l.link.size(); ++k) {
+    const auto chosen = [&](const LatticeLink& link) { return chooses(l.link[k], l, link); };
+    if (std::none_of(links.begin(), links.end(), chosen))
+      found.warning(path + '.' + item("link", k), "has no effect: it chooses no link");
   }
 }
 
@@ -68,6 +85,8 @@ void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Fi
   if (acts(l.shear) && strand) found.warning(path + ".shear", "makes no links: there is one row or one column");
   if (acts(l.structural) && l.rows * l.columns == 1) found.warning(path + ".structural", "makes no links of one node");
   if (!strand) judge_mechanism(path, l, found);
+  judge_links(path, l, found);
+  judge_drives(path, l, found);
   for (const auto& [kind, k] :
        {std::pair{".structural", &l.structural}, {".shear", &l.shear}, {".bending", &l.bending}})
     if (k->stiffness == 0 && k->strength < infinity)

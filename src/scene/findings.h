@@ -79,12 +79,13 @@ class Findings {
 };
 
 // Each of these judges one aspect of a scene.
-void judge_ranges(const Scene& scene, Findings& found);   // every number within the range of its key, every text clean
-void judge_whole(const Scene& scene, Findings& found);    // keys that contradict each other, names of nothing
-void judge_sizes(const Scene& scene, Findings& found);    // counts and bytes within their limits
-void judge_numbers(const Scene& scene, Findings& found);  // what is derived from the numbers is finite and positive
-void judge_start(const Scene& scene, Findings& found);    // where the parts stand at t = 0
-void judge_effects(const Scene& scene, Findings& found);  // what is given and changes nothing
+void judge_ranges(const Scene& scene, Findings& found);    // every number within the range of its key, every text clean
+void judge_whole(const Scene& scene, Findings& found);     // keys that contradict each other, names of nothing
+void judge_lattices(const Scene& scene, Findings& found);  // the same of lattices: rows, nodes, links, drives, stems
+void judge_sizes(const Scene& scene, Findings& found);     // counts and bytes within their limits
+void judge_numbers(const Scene& scene, Findings& found);   // what is derived from the numbers is finite and positive
+void judge_start(const Scene& scene, Findings& found);     // where the parts stand at t = 0
+void judge_effects(const Scene& scene, Findings& found);   // what is given and changes nothing
 
 // All of them, one after the other.
 std::vector<Finding> findings_of(const Scene& scene, const Unread& unread = {});

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -12,6 +13,24 @@
 
 namespace furrow {
 namespace {
+
+// The keys that may be left out where another one is given. It is a visitor of schema.h.
+struct FollowLister {
+  std::map<std::string, std::string>& other;  // by key
+  void operator()(const char*, auto&, const Key&) {}
+  void required(const char*, auto&, const Key&) {}
+  void follows(const char* key, const char* from) { other[key] = from; }
+  template <class Enum>
+  void choice(const char*, Enum&, std::initializer_list<Choice<Enum>>, std::string_view) {}
+};
+
+std::map<std::string, std::string> keys_that_follow() {
+  std::map<std::string, std::string> other;
+  FollowLister lister{other};
+  Lattice stem{.stem = Stem{}};
+  describe(lister, stem);
+  return other;
+}
 
 // Lists the keys of one struct and of those in it. It is a visitor of schema.h.
 class KeyLister {
@@ -24,6 +43,8 @@ class KeyLister {
     key.required = true;
     key.default_value.clear();
   }
+
+  void follows(const char*, const char*) {}
 
   template <class Enum>
   void choice(const char* name, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view meaning) {
@@ -94,6 +115,10 @@ std::vector<SceneKey> listed() {
   Scene defaults;
   KeyLister lister("", all);
   describe(lister, defaults);
+  const auto following = keys_that_follow();
+  for (SceneKey& key : all)
+    if (const auto found = following.find(key.name()); found != following.end() && key.table() == "lattice.")
+      key.follows = found->second;
   return all;
 }
 

@@ -24,6 +24,7 @@ struct SceneKey {
   std::string meaning;
   std::string example;        // as TOML; of a table empty
   std::vector<Word> words{};  // of which it is one
+  std::string follows{};      // the key that it follows from; where that is given it must be left out
 
   std::string name() const { return path.substr(path.rfind('.') + 1); }              // without the tables that it is in
   std::string table() const { return path.substr(0, path.size() - name().size()); }  // "lattice.node.", or empty

@@ -1,57 +1,59 @@
 #include "scene/mechanism.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "scene/lattice_parts.h"
 
 namespace furrow {
 namespace {
 
 constexpr double zero = 1e-10;  // of the largest eigenvalue: round-off of at most 300 unknowns
 
+// One unknown for each coordinate of a node that is not held.
 class StiffnessMatrix {
  public:
-  explicit StiffnessMatrix(const Lattice& l) : lattice_(l) {
-    const auto has = [](const std::vector<int>& list, int i) {
-      return std::find(list.begin(), list.end(), i) != list.end();
-    };
-    for (int row = 0; row < l.rows; ++row)
-      for (int column = 0; column < l.columns; ++column)
-        unknown_.push_back(has(l.fixed_rows, row) || has(l.fixed_columns, column) ? -1 : unknowns_++);
-    matrix_ = Eigen::MatrixXd::Zero(2 * unknowns_, 2 * unknowns_);
-    add(l.structural.stiffness, {{{0, 1}, {1, 0}}});
-    add(l.shear.stiffness, {{{1, 1}, {1, -1}}});
-    add(l.bending.stiffness, {{{0, 2}, {2, 0}}});
+  explicit StiffnessMatrix(const Lattice& l) : lattice_(l), held_(held_nodes(l)) {
+    for (const Held& node : held_)
+      for (const bool held : {node.x, node.y}) unknown_.push_back(held ? -1 : unknowns_++);
+    matrix_ = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+    for (const LatticeLink& link : links_of(l))
+      if (!link.torn) add(link);
   }
 
-  int fixed() const { return lattice_.rows * lattice_.columns - unknowns_; }
   const Eigen::MatrixXd& matrix() const { return matrix_; }
 
- private:
-  void add(double stiffness, const std::array<std::array<int, 2>, 2>& steps) {
-    for (int row = 0; row < lattice_.rows; ++row)
-      for (int column = 0; column < lattice_.columns; ++column)
-        for (const auto& [up, right] : steps) add_link(stiffness, row, column, up, right);
+  // Motions of the lattice as a whole that what is held allows: 3 less the rank of what they do to it.
+  int as_a_whole() const {
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(2 * std::ssize(held_), 3);
+    for (int n = 0; n < std::ssize(held_); ++n) {
+      if (held_[n].x) moved.row(2 * n) << 1, 0, -(n / lattice_.columns);
+      if (held_[n].y) moved.row(2 * n + 1) << 0, 1, n % lattice_.columns;
+    }
+    return 3 - static_cast<int>(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(moved).rank());
   }
 
+ private:
   // k e e^T between its two ends, e along the link.
-  void add_link(double stiffness, int row, int column, int up, int right) {
-    if (row + up >= lattice_.rows || column + right >= lattice_.columns || column + right < 0) return;
-    const Eigen::Vector2d e = Eigen::Vector2d(right, up).normalized();
-    const Eigen::Matrix2d k = stiffness * e * e.transpose();
-    const int a = unknown_[row * lattice_.columns + column];
-    const int b = unknown_[(row + up) * lattice_.columns + column + right];
-    if (a >= 0) matrix_.block<2, 2>(2 * a, 2 * a) += k;
-    if (b >= 0) matrix_.block<2, 2>(2 * b, 2 * b) += k;
-    if (a < 0 || b < 0) return;
-    matrix_.block<2, 2>(2 * a, 2 * b) -= k;
-    matrix_.block<2, 2>(2 * b, 2 * a) -= k;
+  void add(const LatticeLink& link) {
+    const int columns = lattice_.columns;
+    const Eigen::Vector2d e =
+        Eigen::Vector2d(link.b % columns - link.a % columns, link.b / columns - link.a / columns).normalized();
+    const std::array<int, 4> at{unknown_[2 * link.a], unknown_[2 * link.a + 1], unknown_[2 * link.b],
+                                unknown_[2 * link.b + 1]};
+    const std::array<double, 4> stretch{-e.x(), -e.y(), e.x(), e.y()};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j)
+        if (at[i] >= 0 && at[j] >= 0) matrix_(at[i], at[j]) += link.stiffness * stretch[i] * stretch[j];
   }
 
   const Lattice& lattice_;
-  std::vector<int> unknown_;  // of each node; -1: fixed
+  std::vector<Held> held_;
+  std::vector<int> unknown_;  // of each coordinate of each node; -1: held
   int unknowns_ = 0;
   Eigen::MatrixXd matrix_;
 };
@@ -66,8 +68,7 @@ int free_motions(const Lattice& lattice) {
   const double largest = values.maxCoeff();
   if (largest <= 0) return 0;
   const auto none = static_cast<int>((values.array() < zero * largest).count());
-  const int as_a_whole = k.fixed() == 0 ? 3 : k.fixed() == 1 ? 1 : 0;
-  return std::max(0, none - as_a_whole);
+  return std::max(0, none - k.as_a_whole());
 }
 
 }  // namespace furrow

@@ -11,6 +11,7 @@
 #include "physics/contact.h"
 #include "physics/disc.h"
 #include "scene/findings.h"
+#include "scene/lattice_parts.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -167,6 +168,9 @@ class NumberJudge {
     finite("node_mass", "1 / mass", 1 / l.node_mass);
     for (const auto& [kind, k] : {std::pair{"structural", &l.structural}, {"shear", &l.shear}, {"bending", &l.bending}})
       judge(kind, *k, l);
+    judge_links(l);
+    for (const Drive& d : l.drive)
+      resolved("drive", {d.velocity.x * scene_.time.end, d.velocity.y * scene_.time.end}, l.spacing, {"time.end"});
     for (std::size_t n = 0; n < l.node.size(); ++n) judge(l.node[n], n, l);
   }
 
@@ -174,6 +178,17 @@ class NumberJudge {
     if (k.stiffness > 0) positive(kind, "stiffness / node_mass [1/s^2]", k.stiffness / l.node_mass);
     if (k.stiffness > 0) positive(kind, "stiffness spacing^2 [J]", k.stiffness * l.spacing * l.spacing);
     finite(kind, "damping / node_mass [1/s]", k.damping / l.node_mass);
+  }
+
+  // Links that are not as their kinds say.
+  void judge_links(const Lattice& l) {
+    if (!l.stem && l.link.empty()) return;
+    for (const LatticeLink& link : links_of(l)) {
+      const double per_mass = link.stiffness / l.node_mass, energy = link.stiffness * l.spacing * l.spacing;
+      const bool good = link.stiffness == 0 || (sound(per_mass) && sound(energy));
+      if (good && std::isfinite(link.damping / l.node_mass)) continue;
+      return found_.error(at(l.stem ? "stem" : "link"), "makes a link that cannot be computed with");
+    }
   }
 
   void judge(const NodeSetting& s, std::size_t n, const Lattice& l) {

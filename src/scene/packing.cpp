@@ -9,6 +9,7 @@
 
 #include "physics/geometry.h"
 #include "scene/interrupt.h"
+#include "scene/stem.h"
 #include "scene/unit_vector.h"
 
 namespace furrow {
@@ -106,6 +107,7 @@ bool place(Scene& scene, const Packing& p, std::size_t index, long& left) {
 
 std::optional<Scene> place_packings(const Scene& scene, long most_attempts) {
   Scene placed = scene;
+  fill_stems(placed);
   placed.packing.clear();
   for (std::size_t k = 0; k < scene.packing.size(); ++k)
     if (!place(placed, scene.packing[k], k, most_attempts)) return {};

@@ -35,6 +35,7 @@ class RangeChecker {
     check({&place_, key}, field, about.unit, about.range);
   }
   void required(const char* key, auto& field, const Key& about) { (*this)(key, field, about); }
+  void follows(const char*, const char*) {}
   template <class Enum>
   void choice(const char*, Enum&, std::initializer_list<Choice<Enum>>, std::string_view) {}
 

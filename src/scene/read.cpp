@@ -111,6 +111,11 @@ class TableReader {
     file_.unread(table_.source().begin, path_of(key), "missing, but required" + in_brackets(about.unit));
   }
 
+  void follows(const char* key, const char* other) {
+    if (const toml::node* node = find(key))
+      file_.unread(node->source().begin, path_of(key), "follows from " + std::string(other) + ": leave it out");
+  }
+
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     const toml::node* node = find(key);

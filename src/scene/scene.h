@@ -135,6 +135,33 @@ struct LinkKind {
   double strength = infinity;  // N
 };
 
+enum class LinkClass { structural, shear, bending };
+enum class LinkChoice { any, structural, shear, bending };
+
+// What is different about some links of a lattice: those that meet everything that is said here.
+struct LinkSetting {
+  LinkChoice kind = LinkChoice::any;
+  std::vector<int> rows{}, columns{};            // that both ends lie in; none: any
+  std::vector<int> from{}, to{};                 // row and column of the two ends of one link
+  std::optional<Vec2> cut_from{}, cut_to{};      // m, from the node of row 0 and column 0: links that this line cuts
+  std::optional<double> stiffness{}, damping{};  // N/m, N s/m
+  std::optional<double> strength{};              // N
+  double stiffness_factor = 1;                   // -
+  double strength_factor = 1;                    // -
+  bool torn = false;                             // from the start
+};
+
+// A straight round rod, upright, of whose density the material is. Spacing, rows, masses and links of the lattice
+// follow from it: see stem.h.
+struct Stem {
+  double young = 1e9;          // Pa
+  double poisson = 0.3;        // -
+  double diameter = 0.01;      // m
+  double length = 0.1;         // m
+  double strength = infinity;  // Pa, in tension
+  double damping_ratio = 0;    // -, of its first bending motion, held at one end
+};
+
 // What is special about one node of a lattice.
 struct NodeSetting {
   int row = 0;
@@ -142,12 +169,22 @@ struct NodeSetting {
   Vec2 displacement{};  // m, from its place in the grid, at t = 0
   Vec2 velocity{};      // m/s, at t = 0
   Vec2 force{};         // N, constant load
+  bool fixed_x = false;
+  bool fixed_y = false;
+};
+
+// Nodes that move as they are told: a lattice with some is a tool that bends.
+struct Drive {
+  std::vector<int> rows{}, columns{};  // of the lattice; all nodes of each
+  Vec2 velocity{};                     // m/s
+  double ramp = 0;                     // s, in which it is reached from rest
 };
 
 // Rows by columns of point masses; row 0 is the lowest, column 0 the leftmost.
 struct Lattice {
   std::string name{};
   Vec2 origin{};  // m, node of row 0 and column 0
+  std::optional<Stem> stem{};
   int rows = 1;
   int columns = 1;
   double spacing = 0.01;  // m
@@ -164,6 +201,8 @@ struct Lattice {
   LinkKind shear{};
   LinkKind bending{};
   std::vector<NodeSetting> node{};
+  std::vector<LinkSetting> link{};
+  std::vector<Drive> drive{};
 };
 
 struct Output {

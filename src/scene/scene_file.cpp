@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scene/read.h"
+#include "scene/stem.h"
 #include "scene/utf8.h"
 #include "scene/wording.h"
 
@@ -27,6 +28,7 @@ std::string SceneFile::option_of(const Finding& finding) const {
 }
 
 void SceneFile::judge() {
+  fill_stems(scene);
   for (const Finding& f : findings_of(scene, unread_)) {
     if (f.warning) continue;
     const std::string option = option_of(f);

@@ -4,7 +4,8 @@
 //
 // A visitor is called as  v(name, field, key)  for a key that may be left out (the struct's default holds),
 // v.required(name, field, key)  for one that may not, and
-// v.choice(name, field, {{"word", value, meaning}, ...}, meaning)  for an enum.
+// v.choice(name, field, {{"word", value, meaning}, ...}, meaning)  for an enum,
+// v.follows(name, other)  for a key whose value follows from another key that is given: it must be left out.
 #pragma once
 
 #include "scene/schema_parts.h"

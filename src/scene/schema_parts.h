@@ -8,7 +8,7 @@ namespace furrow {
 
 void describe(auto& v, Material& m) {
   v.required("name", m.name, plain("\"soil\"", "By which the parts refer to it."));
-  v("density", m.density, {"kg/m^3", positive, "1600.0", "Used for discs."});
+  v("density", m.density, {"kg/m^3", positive, "1600.0", "Used for discs and stems."});
   v("young", m.young, {"Pa", positive, "2e5", "Young's modulus. Required unless the material is rigid."});
   v("poisson", m.poisson,
     {"-", Range{-1, 0.5, true, false}, "0.3", "Poisson's ratio. Give this or shear, unless the material is rigid."});
@@ -96,21 +96,79 @@ void describe(auto& v, LinkKind& k) {
   v("strength", k.strength, {"N", Range{0, infinity, true, false}, "40.0", "Spring force above which the link tears."});
 }
 
+void describe(auto& v, LinkSetting& l) {
+  v.choice("kind", l.kind,
+           {{"any", LinkChoice::any, "of every kind"},
+            {"structural", LinkChoice::structural, "between neighbours"},
+            {"shear", LinkChoice::shear, "across the cells"},
+            {"bending", LinkChoice::bending, "to the next but one"}},
+           "Of which links it is said.");
+  v("rows", l.rows, {"", not_negative, "[3, 4]", "Links whose two ends lie in these rows. Left out: any."});
+  v("columns", l.columns, {"", not_negative, "[0]", "Links whose two ends lie in these columns. Left out: any."});
+  v("from", l.from, {"", not_negative, "[3, 0]", "The link from this node, row and column, to the node `to`."});
+  v("to", l.to, {"", not_negative, "[4, 0]", "See from."});
+  v("cut_from", l.cut_from,
+    {"m", finite, "[-0.005, 0.035]",
+     "Links that the straight line from here to cut_to cuts; measured from the node of row 0 and column 0."});
+  v("cut_to", l.cut_to, {"m", finite, "[0.015, 0.035]", "See cut_from."});
+  v("stiffness", l.stiffness, {"N/m", not_negative, "5e3", "Left out: that of their kind."});
+  v("damping", l.damping, {"N s/m", not_negative, "10.0", "Left out: that of their kind."});
+  v("strength", l.strength, {"N", Range{0, infinity, true, false}, "20.0", "Left out: that of their kind."});
+  v("stiffness_factor", l.stiffness_factor, {"-", not_negative, "0.5", "By which the stiffness is multiplied."});
+  v("strength_factor", l.strength_factor,
+    {"-", Range{0, infinity, true, false}, "0.5", "By which the strength is multiplied."});
+  v("torn", l.torn, plain("true", "Whether they are torn from the start, as a notch is."));
+}
+
+void describe(auto& v, Stem& s) {
+  v.required("young", s.young, {"Pa", positive, "5e8", "Young's modulus of the rod."});
+  v.required("poisson", s.poisson,
+             {"-", Range{0.05, 0.5}, "0.3", "Poisson's ratio of the rod. Below 0.05 its cross springs are too stiff."});
+  v.required("diameter", s.diameter,
+             {"m", positive, "0.006", "The columns of the lattice are as far from edge to edge."});
+  v.required("length", s.length,
+             {"m", positive, "0.12", "From the lowest row to the highest; at least two diameters."});
+  v("strength", s.strength,
+    {"Pa", Range{0, infinity, true, false}, "2e7", "Tensile stress at which it tears. Left out: it does not."});
+  v("damping_ratio", s.damping_ratio,
+    {"-", not_negative, "0.02",
+     "Of its first bending motion when it is held at one end. The dampers of the links follow from it, and faster "
+     "motions are damped more."});
+}
+
 void describe(auto& v, NodeSetting& n) {
   v.required("row", n.row, {"", Range{0, 1'000'000}, "1", "Row of the node, from 0, the lowest."});
   v.required("column", n.column, {"", Range{0, 1'000'000}, "1", "Column of the node, from 0, the leftmost."});
   v("displacement", n.displacement, {"m", finite, "[0.001, 0.0]", "From its place in the grid, at t = 0."});
   v("velocity", n.velocity, {"m/s", finite, "[0.0, 0.1]", "At t = 0."});
   v("force", n.force, {"N", finite, "[0.0, -2.0]", "Constant load."});
+  v("fixed_x", n.fixed_x, plain("true", "Whether it keeps its x: a roller, free along y."));
+  v("fixed_y", n.fixed_y, plain("true", "Whether it keeps its y: a roller, free along x."));
+}
+
+void describe(auto& v, Drive& d) {
+  v("rows", d.rows, {"", not_negative, "[9]", "Rows whose nodes are driven."});
+  v("columns", d.columns, {"", not_negative, "[2]", "Columns whose nodes are driven."});
+  v.required("velocity", d.velocity, {"m/s", finite, "[0.1, 0.0]", "Of these nodes, whatever acts on them."});
+  v("ramp", d.ramp,
+    {"s", not_negative, "0.1", "Time in which they reach it from rest, at a constant acceleration. 0: at once."});
 }
 
 void describe(auto& v, Lattice& l) {
   v("name", l.name, plain("\"root\"", "By which files and messages name it. Left out: its index."));
   v.required("origin", l.origin, {"m", finite, "[4.0, 0.1]", "Node of row 0 and column 0."});
-  v.required("rows", l.rows, {"", Range{1, 100'000}, "4", "Number of rows."});
+  v("stem", l.stem,
+    table("A round rod, upright, given by what one measures. rows, spacing, node_mass, structural, shear and bending "
+          "follow from it and are left out; columns is 3, 4 or 5."));
+  if (l.stem)
+    for (const char* key : {"rows", "spacing", "node_mass", "structural", "shear", "bending"}) v.follows(key, "stem");
+  else
+    v.required("rows", l.rows, {"", Range{1, 100'000}, "4", "Number of rows."});
   v.required("columns", l.columns, {"", Range{1, 100'000}, "3", "Number of columns."});
-  v.required("spacing", l.spacing, {"m", positive, "0.01", "Between neighbours in a row and in a column."});
-  v.required("node_mass", l.node_mass, {"kg", positive, "0.02", "Of each node."});
+  if (!l.stem) {
+    v.required("spacing", l.spacing, {"m", positive, "0.01", "Between neighbours in a row and in a column."});
+    v.required("node_mass", l.node_mass, {"kg", positive, "0.02", "Of each node."});
+  }
   v.required("material", l.material, plain("\"soil\"", "Name of the material of its contacts."));
   v("gravity", l.gravity, plain("true", "Whether its nodes have weight."));
   v("fixed_rows", l.fixed_rows, {"", not_negative, "[0]", "Rows whose nodes do not move."});
@@ -126,10 +184,14 @@ void describe(auto& v, Lattice& l) {
     {"", Range{0, 1000}, "4",
      "Points on each border segment, from which the one nearest to a disc is taken. 0: the exact nearest point."});
   v("contact_radius", l.contact_radius, {"m", positive, "0.005", "R* of a node against a plate or a wall."});
-  v("structural", l.structural, table("Links between neighbours in a row or a column."));
-  v("shear", l.shear, table("Links across the cells."));
-  v("bending", l.bending, table("Links to the next but one in a row or a column."));
+  if (!l.stem) {
+    v("structural", l.structural, table("Links between neighbours in a row or a column."));
+    v("shear", l.shear, table("Links across the cells."));
+    v("bending", l.bending, table("Links to the next but one in a row or a column."));
+  }
   v("node", l.node, table("What is different about one node."));
+  v("drive", l.drive, table("Rows and columns that move with a given velocity: a tool that bends. Give either."));
+  v("link", l.link, table("What is different about some links. Of two that choose one link the later holds."));
 }
 
 }  // namespace furrow

@@ -82,6 +82,10 @@ class KeySetter {
   }
   void required(const char* key, auto& field, const Key& about) { (*this)(key, field, about); }
 
+  void follows(const char* key, const char* other) {
+    if (is_it(key)) fault_ = "follows from " + std::string(other) + ": leave it out";
+  }
+
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     if (!is_it(key)) return;

@@ -18,6 +18,7 @@
 #include "scene/border.h"
 #include "scene/findings.h"
 #include "scene/grid.h"
+#include "scene/lattice_parts.h"
 #include "scene/unit_vector.h"
 #include "scene/wording.h"
 
@@ -150,8 +151,9 @@ class StartJudge {
   void judge_lattice(std::size_t k) {
     const Lattice& l = scene_.lattice[k];
     const StandingLattice& here = *lattice_[k];
+    const std::vector<Held> held = held_nodes(l);
     for (int row = 0; row < l.rows; ++row)
-      for (int column = 0; column < l.columns; ++column) judge_node(k, row, column);
+      for (int column = 0; column < l.columns; ++column) judge_node(k, row, column, held[here.index(row, column)]);
     if (!l.node.empty()) judge_places(k);
     for (std::size_t j = 0; j < k; ++j)
       if (here.box().meets(lattice_[j]->box()) && here.crosses(*lattice_[j]))
@@ -162,7 +164,7 @@ class StartJudge {
     return item("lattice", k) + ": node (row " + std::to_string(row) + ", column " + std::to_string(column) + ")";
   }
 
-  void judge_node(std::size_t k, int row, int column) {
+  void judge_node(std::size_t k, int row, int column, const Held& held) {
     const Lattice& l = scene_.lattice[k];
     const Vec2 p = lattice_[k]->nodes()[lattice_[k]->index(row, column)];
     const auto judge_depth = [&](Kind kind, double depth, const char* where, const char* list, std::size_t j) {
@@ -175,10 +177,7 @@ class StartJudge {
     };
     for (std::size_t j = 0; j < scene_.plate.size(); ++j)
       if (scene_.plate[j].lower_edge) judge_depth(node_in_plate, -distance_to_plate(j, p), " inside ", "plate", j);
-    const auto fixed = [](const std::vector<int>& list, int line) {
-      return std::find(list.begin(), list.end(), line) != list.end();
-    };
-    if (scene_.wall.empty() || fixed(l.fixed_rows, row) || fixed(l.fixed_columns, column)) return;
+    if (scene_.wall.empty() || held.fixed()) return;
     for (std::size_t j = 0; j < scene_.wall.size(); ++j)
       judge_depth(node_behind, -distance_to_wall(j, p), " behind ", "wall", j);
   }

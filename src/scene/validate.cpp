@@ -5,20 +5,25 @@
 #include <utility>
 
 #include "scene/findings.h"
+#include "scene/lattice_parts.h"
 #include "scene/read.h"
+#include "scene/stem.h"
 #include "scene/unit_vector.h"
 #include "scene/wording.h"
 
 namespace furrow {
 namespace {
 
-bool has(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+constexpr double most_looked_at = 1e6;  // nodes: no larger lattice is held node by node
 
 bool all_fixed(const Lattice& l) {
   const auto all_in = [](const std::vector<int>& list, int count) {
     return std::set<int>(list.begin(), list.end()).size() >= static_cast<std::size_t>(count);
   };
-  return all_in(l.fixed_rows, l.rows) || all_in(l.fixed_columns, l.columns);
+  if (all_in(l.fixed_rows, l.rows) || all_in(l.fixed_columns, l.columns)) return true;
+  if (static_cast<double>(l.rows) * l.columns > most_looked_at) return false;
+  const std::vector<Held> held = held_nodes(l);
+  return std::all_of(held.begin(), held.end(), [](const Held& node) { return node.fixed(); });
 }
 
 enum Kind { disc, plate, wall, fixed_lattice, lattice };
@@ -47,6 +52,7 @@ class Validator {
     check_all("plate", scene_.plate);
     check_all("wall", scene_.wall);
     check_all("lattice", scene_.lattice);
+    judge_lattices(scene_, found_);
     check_motion();
   }
 
@@ -143,7 +149,7 @@ class Validator {
       }
       if constexpr (requires { part.name; })
         if (!part.name.empty()) once(said, part.name, path + ".name");
-      check(path, part);
+      if constexpr (requires { check(path, part); }) check(path, part);
     });
   }
 
@@ -199,34 +205,6 @@ class Validator {
     if (deep && !scene_.settle) fault(path + ".working_depth", "needs [settle]; or give lower_edge", {"settle"});
   }
 
-  void check(const std::string& path, const Lattice& l) {
-    const auto check_index = [&](const std::string& where, int index, int count) {
-      if (index < 0 || index >= count)
-        fault(where, std::to_string(index) + " is outside the lattice, whose last is " + std::to_string(count - 1),
-              {path + ".rows", path + ".columns"});
-    };
-    const auto check_fixed = [&](const std::string& list, const std::vector<int>& lines, int count) {
-      std::map<int, std::string> said;
-      each(list, lines, [&](const std::string& where, int line) {
-        check_index(where, line, count);
-        once(said, line, where);
-      });
-    };
-    check_fixed(path + ".fixed_rows", l.fixed_rows, l.rows);
-    check_fixed(path + ".fixed_columns", l.fixed_columns, l.columns);
-    std::map<std::pair<int, int>, std::string> said;
-    each(path + ".node", l.node, [&](const std::string& where, const NodeSetting& node) {
-      check_index(where + ".row", node.row, l.rows);
-      check_index(where + ".column", node.column, l.columns);
-      once(said, std::pair(node.row, node.column), where);
-      if (!has(l.fixed_rows, node.row) && !has(l.fixed_columns, node.column)) return;
-      const std::vector<std::string> hangs_on{where + ".row", where + ".column", path + ".fixed_rows",
-                                              path + ".fixed_columns"};
-      if (node.velocity != Vec2{}) fault(where + ".velocity", "the node is fixed", hangs_on);
-      if (node.force != Vec2{}) fault(where + ".force", "the node is fixed", hangs_on);
-    });
-  }
-
   bool has_discs() const { return !scene_.disc.empty() || !scene_.packing.empty(); }
 
   void check_motion() {
@@ -249,7 +227,9 @@ class Validator {
 
 void judge_whole(const Scene& scene, Findings& found) { Validator(scene, found).judge(); }
 
-std::vector<Finding> findings_of(const Scene& scene, const Unread& unread) {
+std::vector<Finding> findings_of(const Scene& given, const Unread& unread) {
+  Scene scene = given;
+  fill_stems(scene);
   Findings found(unread);
   judge_ranges(scene, found);
   judge_whole(scene, found);

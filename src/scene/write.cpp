@@ -19,6 +19,8 @@ class TableWriter {
   void operator()(const char* key, auto& field, const Key&) { write(key, field); }
   void required(const char* key, auto& field, const Key&) { write(key, field); }
 
+  void follows(const char*, const char*) {}
+
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     for (const auto& [word, value, meaning] : choices)

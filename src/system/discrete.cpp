@@ -42,7 +42,8 @@ bool before(const DiscreteState::Held& one, const DiscreteState::Held& other) {
 
 DiscreteState initial_discrete_state(const Parts& parts, const Layout& layout) {
   DiscreteState d;
-  d.border = touched_segments(parts, {});
+  d.torn = parts.link.notched;
+  d.border = touched_segments(parts, d.torn);
   for (int k = layout.spring_count; k-- > 0;) d.unused.push_back(k);
   return d;
 }

@@ -42,7 +42,7 @@ struct DiscreteState {
   void history(HistoryVisitor& visit);
 };
 
-// Of a scene at t = 0: nothing is torn, nothing is held.
+// Of a scene at t = 0: nothing is torn but notches, nothing is held.
 DiscreteState initial_discrete_state(const Parts& parts, const Layout& layout);
 
 bool is_torn(const DiscreteState& discrete, int link);

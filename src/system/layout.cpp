@@ -55,7 +55,7 @@ NodeMotion nodes_at_rest(const Parts& parts) {
   return {node.x, node.y, std::vector<double>(node.x.size(), 0.0), std::vector<double>(node.x.size(), 0.0)};
 }
 
-void move_nodes(const Parts& parts, const Layout& l, const State& y, NodeMotion& nodes) {
+void move_nodes(const Parts& parts, const Layout& l, double t, bool preparing, const State& y, NodeMotion& nodes) {
   for (int n = 0; n < parts.node.count(); ++n) {
     const int body = parts.node.body[n];
     if (body < 0) continue;
@@ -63,6 +63,13 @@ void move_nodes(const Parts& parts, const Layout& l, const State& y, NodeMotion&
     nodes.y[n] = y[l.y_of(body)];
     nodes.vx[n] = y[l.vx_of(body)];
     nodes.vy[n] = y[l.vy_of(body)];
+  }
+  for (const int n : parts.driven) {
+    const NodeAt at = held_node_at(parts, n, t, preparing);
+    nodes.x[n] = at.x;
+    nodes.y[n] = at.y;
+    nodes.vx[n] = at.vx;
+    nodes.vy[n] = at.vy;
   }
 }
 

@@ -8,8 +8,10 @@
 //
 // The balance of energy: kinetic + gravity + loads + springs of links and contacts + link_damping + contact_viscous +
 // friction_work + rolling_work + tear_energy - plate_work - stiffening is constant, but for the error of the method.
+// plate_work is that of driven nodes too.
 #pragma once
 
+#include "physics/ramp.h"
 #include "system/ode.h"
 #include "system/parts.h"
 
@@ -40,11 +42,23 @@ Layout make_layout(const Parts& parts);
 
 State initial_state(const Parts& parts, const Layout& layout);
 
-// Position and velocity of all nodes; fixed ones stand where they are.
+// A node that is fixed or driven. While a scene is prepared it stands still.
+struct NodeAt {
+  double x, y, vx, vy;  // m, m/s
+};
+inline NodeAt held_node_at(const Parts& parts, int node, double t, bool preparing) {
+  const int drive = parts.node.drive[node];
+  if (drive < 0 || preparing) return {parts.node.x[node], parts.node.y[node], 0, 0};
+  const DrivePart& d = parts.drive[drive];
+  const double share = ramped_share(t, d.ramp), time = ramped_time(t, d.ramp);
+  return {parts.node.x[node] + d.vx * time, parts.node.y[node] + d.vy * time, d.vx * share, d.vy * share};
+}
+
+// Position and velocity of all nodes.
 struct NodeMotion {
   std::vector<double> x, y, vx, vy;  // m, m/s
 };
 NodeMotion nodes_at_rest(const Parts& parts);
-void move_nodes(const Parts& parts, const Layout& layout, const State& y, NodeMotion& nodes);
+void move_nodes(const Parts& parts, const Layout& layout, double t, bool preparing, const State& y, NodeMotion& nodes);
 
 }  // namespace furrow

@@ -11,7 +11,7 @@
 //   powers     of disc pairs block by block, by the block of the first disc, the blocks added in turn; then all others
 //   heat of springs returned by a jump: as powers, but the first block starts from the ledger's value, and all others
 //              are added to it before the other blocks are
-//   plate work, link damping, tears: one after the other
+//   plate work, link damping, tears: one after the other; the work of driven nodes after that of plates
 #pragma once
 
 namespace furrow {

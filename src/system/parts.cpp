@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "physics/disc.h"
+#include "scene/lattice_parts.h"
+#include "scene/stem.h"
 #include "scene/unit_vector.h"
 #include "system/border.h"
 #include "system/floating_point.h"
@@ -97,10 +99,6 @@ void set_options(const Scene& scene, Parts& parts) {
   parts.new_faces = scene.model.new_faces.value_or(false);
 }
 
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 // Adds one lattice; node (row, column) gets index first + row * columns + column.
 class LatticeBuilder {
  public:
@@ -109,39 +107,36 @@ class LatticeBuilder {
 
   void build() {
     add_nodes();
-    const Lattice& l = lattice_;
-    const double diagonal = std::sqrt(2.0) * l.spacing;
-    add_links(LinkClass::structural, l.structural, {{0, 1}, {1, 0}}, l.spacing);
-    add_links(LinkClass::shear, l.shear, {{1, 1}, {1, -1}}, diagonal);
-    add_links(LinkClass::bending, l.bending, {{0, 2}, {2, 0}}, 2 * l.spacing);
+    add_links();
     add_border();
-    parts_.lattice.push_back({l.auxiliary_points, index_of_material(scene_, l.material), l.name});
+    parts_.lattice.push_back({lattice_.auxiliary_points, index_of_material(scene_, lattice_.material), lattice_.name});
   }
 
  private:
-  struct Step {
-    int rows, columns;
-  };
-
   int node(int row, int column) const { return first_ + row * lattice_.columns + column; }
-  bool inside(int row, int column) const {
-    return row >= 0 && row < lattice_.rows && column >= 0 && column < lattice_.columns;
-  }
 
   void add_nodes() {
     const Lattice& l = lattice_;
     NodeArrays& n = parts_.node;
+    const std::vector<Held> held = held_nodes(l);
+    const int first_drive = static_cast<int>(parts_.drive.size());
+    for (const Drive& d : l.drive)
+      parts_.drive.push_back({d.velocity.x, d.velocity.y, d.ramp, static_cast<int>(parts_.lattice.size())});
     for (int row = 0; row < l.rows; ++row) {
       for (int column = 0; column < l.columns; ++column) {
-        const bool fixed = contains(l.fixed_rows, row) || contains(l.fixed_columns, column);
+        const Held& here = held[node(row, column) - first_];
         n.x.push_back(l.origin.x + column * l.spacing);
         n.y.push_back(l.origin.y + row * l.spacing);
         for (auto* field : {&n.vx, &n.vy, &n.load_x, &n.load_y}) field->push_back(0);
-        n.mass.push_back(l.node_mass);
+        n.mass.push_back(mass_of(l, row, column));
         n.gravity.push_back(l.gravity ? scene_.model.gravity : 0);
         n.contact_radius.push_back(l.contact_radius);
         n.spacing.push_back(l.spacing);
-        n.body.push_back(fixed ? -1 : parts_.disc.count() + parts_.free_nodes++);
+        n.drive.push_back(here.drive < 0 ? -1 : first_drive + here.drive);
+        if (here.drive >= 0) parts_.driven.push_back(node(row, column));
+        n.body.push_back(here.fixed() ? -1 : parts_.disc.count() + parts_.free_nodes++);
+        if (here.x && !here.y) parts_.held_x.push_back(n.body.back());
+        if (here.y && !here.x) parts_.held_y.push_back(n.body.back());
         n.material.push_back(index_of_material(scene_, l.material));
         n.lattice.push_back(static_cast<int>(parts_.lattice.size()));
         n.row.push_back(row);
@@ -159,27 +154,21 @@ class LatticeBuilder {
     }
   }
 
-  void add_links(LinkClass kind, const LinkKind& k, std::initializer_list<Step> steps, double rest) {
-    if (k.stiffness == 0 && k.damping == 0) return;
+  void add_links() {
     LinkArrays& links = parts_.link;
-    for (int row = 0; row < lattice_.rows; ++row) {
-      for (int column = 0; column < lattice_.columns; ++column) {
-        for (const Step& step : steps) {
-          if (!inside(row + step.rows, column + step.columns)) continue;
-          if (kind == LinkClass::structural) {
-            structural_[{node(row, column), node(row + step.rows, column + step.columns)}] = links.count();
-          }
-          links.a.push_back(node(row, column));
-          links.b.push_back(node(row + step.rows, column + step.columns));
-          links.rest.push_back(rest);
-          links.stiffness.push_back(k.stiffness);
-          links.damping.push_back(k.damping);
-          links.strength.push_back(k.strength);
-          links.kind.push_back(kind);
-          links.axial.push_back(lattice_.damper == Damper::axial);
-          links.in_magnitude.push_back(lattice_.tear == TearRule::magnitude);
-        }
-      }
+    for (const LatticeLink& link : links_of(lattice_)) {
+      const int a = first_ + link.a, b = first_ + link.b;
+      if (link.kind == LinkClass::structural) structural_[{a, b}] = links.count();
+      if (link.torn) links.notched.push_back(links.count());
+      links.a.push_back(a);
+      links.b.push_back(b);
+      links.rest.push_back(link.rest);
+      links.stiffness.push_back(link.stiffness);
+      links.damping.push_back(link.damping);
+      links.strength.push_back(link.strength);
+      links.kind.push_back(link.kind);
+      links.axial.push_back(lattice_.damper == Damper::axial);
+      links.in_magnitude.push_back(lattice_.tear == TearRule::magnitude);
     }
   }
 
@@ -238,10 +227,12 @@ std::string Parts::link_name(int i) const {
 
 Parts make_parts(const Scene& scene) {
   const DefaultFloatingPoint environment;
+  std::vector<Lattice> lattices = scene.lattice;
+  fill_stems(lattices, scene.material);
   Parts parts;
   add_laws(scene, parts);
   add_discs(scene, parts);
-  for (const Lattice& l : scene.lattice) LatticeBuilder(scene, l, parts).build();
+  for (const Lattice& l : lattices) LatticeBuilder(scene, l, parts).build();
   for (const Wall& w : scene.wall) {
     const Vec2 normal = unit_vector(w.normal);
     parts.wall.push_back({w.point.x, w.point.y, normal.x, normal.y, index_of_material(scene, w.material)});

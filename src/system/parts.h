@@ -11,7 +11,6 @@
 
 namespace furrow {
 
-enum class LinkClass { structural, shear, bending };
 std::string to_string(LinkClass kind);
 
 struct DiscArrays {
@@ -27,7 +26,8 @@ struct NodeArrays {
   std::vector<double> mass, gravity;            // kg; m/s^2, 0 for lattices without gravity
   std::vector<double> load_x, load_y;           // N
   std::vector<double> contact_radius, spacing;  // m
-  std::vector<int> body;                        // index among the moving bodies, -1 if fixed
+  std::vector<int> body;                        // index among the moving bodies, -1 if fixed or driven
+  std::vector<int> drive;                       // index into Parts::drive, -1 if not driven
   std::vector<int> material, lattice, row, column;
   int count() const { return static_cast<int>(x.size()); }
 };
@@ -37,6 +37,7 @@ struct LinkArrays {
   std::vector<double> rest, stiffness, damping, strength;  // m, N/m, N s/m, N
   std::vector<LinkClass> kind;
   std::vector<char> axial, in_magnitude;  // damper and tear rule
+  std::vector<int> notched;               // torn from the start, ascending
   int count() const { return static_cast<int>(a.size()); }
 };
 
@@ -69,6 +70,12 @@ struct PlatePart {
   double flush_within = 0;   // m
 };
 
+struct DrivePart {
+  double vx, vy;  // m/s
+  double ramp;    // s
+  int lattice;
+};
+
 struct LatticePart {
   int auxiliary_points;
   int material;
@@ -83,9 +90,12 @@ struct Parts {
   std::vector<WallPart> wall;
   std::vector<PlatePart> plate;
   std::vector<LatticePart> lattice;
+  std::vector<DrivePart> drive;
+  std::vector<int> driven;      // nodes, ascending
   std::vector<ContactLaw> law;  // materials x materials
   int materials = 0;
   int free_nodes = 0;
+  std::vector<int> held_x, held_y;  // bodies that keep their x, their y: nodes on rollers
 
   double gravity = 0;            // m/s^2
   double arm_shortening = 1;     // -, moment arm = radius - arm_shortening * overlap: to the contact point; 0: radius

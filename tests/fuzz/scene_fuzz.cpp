@@ -64,7 +64,7 @@ void take_steps(const Scene& scene, const std::string& name) {
   demand(end.ending != Ending::diverged || !end.reason.empty(), "a run has diverged without a reason");
   observe(system, end.time, y);
   disc_stresses(system, end.time, y);
-  link_forces(system, y);
+  link_forces(system, 0, y);
 }
 
 void try_text(const std::string& text) {

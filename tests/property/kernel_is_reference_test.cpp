@@ -103,6 +103,18 @@ void add_plates(Scene& s) {
   }
 }
 
+// Rollers, notches, weak regions, driven rows, and soft stems in the place of what the keys say.
+void add_lattice_options(Lattice& l) {
+  for (NodeSetting& n : l.node) n.fixed_x = either(), n.fixed_y = either();
+  if (either()) l.link.push_back({.rows = {0, 1}, .stiffness_factor = 0.5, .strength_factor = 0.1});
+  if (either()) l.link.push_back({.cut_from = Vec2{-0.01, 0.031}, .cut_to = Vec2{0.025, 0.031}, .torn = true});
+  if (either()) l.drive = {{.rows = {l.rows - 1}, .velocity = {0.5, 0.1 * up_to(3)}, .ramp = either() ? 2e-3 : 0}};
+  if (!either()) return;
+  l.columns = 3;
+  l.stem = Stem{1e4, 0.3, 0.04, 0.08 + part(up_to(20)), 50.0 * up_to(9), part(up_to(9))};  // five rows or six
+  for (NodeSetting& n : l.node) n.row = std::min(n.row, 4);
+}
+
 void add_lattices(Scene& s) {
   for (int k = up_to(2); k > 0; --k) {
     Lattice l;
@@ -125,6 +137,7 @@ void add_lattices(Scene& s) {
     if (either()) l.bending = {500, 1, strength};
     const Vec2 off{1e-3 * (up_to(8) - 4), 1e-3 * (up_to(8) - 4)};
     if (either()) l.node = {{l.rows - 1, 0, off, {0.1 * up_to(9), 0}, {1.0 * up_to(5), 0}}};
+    if (either()) add_lattice_options(l);
     s.lattice.push_back(l);
   }
 }

@@ -85,7 +85,7 @@ Constants constants(const Scene& scene, const std::string& a, const std::string&
 
 class Contacts : public testing::TestWithParam<MomentArm> {
  protected:
-  Contacts() : busy(GetParam()), system(busy.system), parts(system.parts()), nodes(system.nodes(busy.y)) {}
+  Contacts() : busy(GetParam()), system(busy.system), parts(system.parts()), nodes(system.nodes(0, busy.y)) {}
 
   double at(int number) const { return busy.y[number]; }
   Side disc(int i) const {

@@ -146,7 +146,7 @@ TEST(Observables, FirstTouchIsWhereANodeIsInThePlate) {
   scene.plate[0].left_edge = -0.02;  // m: its right side comes to the nodes at 0 with 0.1 m/s
   const System system(scene);
   const State y = system.initial_state();
-  const double gap = system.nodes(y).x[1] - (system.plate_at(0, 0).left + system.parts().plate[0].width);
+  const double gap = system.nodes(0, y).x[1] - (system.plate_at(0, 0).left + system.parts().plate[0].width);
   ASSERT_GT(gap, 0);
   FirstTouch touch;
   touch.see(system, 0.99 * gap / 0.1, y);

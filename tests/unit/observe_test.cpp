@@ -178,9 +178,9 @@ TEST(LinkForces, AreTensionsAndZeroWhereTorn) {
   l.node = {node_setting(0, 2, {0.25, 0}), node_setting(0, 3, {0.75, 0}, {1, 1})};
   scene.lattice = {l};
   Seen s(scene);
-  EXPECT_EQ(link_forces(s.system, s.y), (std::vector<double>{0, 25, 50}));
+  EXPECT_EQ(link_forces(s.system, 0, s.y), (std::vector<double>{0, 25, 50}));
   s.system.jump(0, s.y);
-  EXPECT_EQ(link_forces(s.system, s.y), (std::vector<double>{0, 25, 0}));
+  EXPECT_EQ(link_forces(s.system, 0, s.y), (std::vector<double>{0, 25, 0}));
 }
 
 TEST(GreatestSpeed, OfDiscsAndNodes) {

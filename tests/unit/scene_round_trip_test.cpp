@@ -22,6 +22,7 @@ class Shaker {
     shake(field);
   }
   void required(const char* key, auto& field, const Key& about) { (*this)(key, field, about); }
+  void follows(const char*, const char*) {}
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
     if (std::string(key) != "disc_mass")

@@ -112,7 +112,7 @@ TEST(FixedNodes, HaveNoPlaceInTheStateAndDoNotMove) {
   State y = system.initial_state();
   const auto method = make_method("rk4");
   for (int k = 0; k < 100; ++k) method->step(system, k * 0.01, y, 0.01);
-  const NodeMotion nodes = system.nodes(y);
+  const NodeMotion nodes = system.nodes(0, y);
   EXPECT_EQ(nodes.x[0], 0);
   EXPECT_EQ(nodes.y[0], 0);
   EXPECT_EQ(nodes.vx[0], 0);

@@ -63,7 +63,7 @@ class WrittenFrames : public testing::Test {
   // x1, y1, x2, y2, force, kind of each link that is not torn.
   static std::vector<std::vector<double>> links(const Moment& m) {
     const LinkArrays& link = system().parts().link;
-    const NodeMotion nodes = system().nodes(m.y);
+    const NodeMotion nodes = system().nodes(m.t, m.y);
     std::vector<std::vector<double>> rows;
     for (int k = 0; k < link.count(); ++k) {
       if (!known().intact(k, m.t)) continue;
@@ -220,7 +220,7 @@ TEST_F(WrittenFrames, AsVtkAreWhatTheCsvSaysByNameOrderAndCorner) {
 TEST_F(WrittenFrames, StateIsEveryBodyAtTheEnd) {
   const Csv state(file("state.csv"));
   const Moment& last = known().moments.back();
-  const NodeMotion nodes = system().nodes(last.y);
+  const NodeMotion nodes = system().nodes(last.t, last.y);
   ASSERT_EQ(state.rows.size(), 9u);
   const std::vector<std::vector<double>> disc_rows = discs(last);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -103,7 +103,7 @@ TEST_F(WrittenSeries, EnergyIsThatOfTheState) {
       kinetic += 0.5 * mass(body) * (y[s.vx_of(body)] * y[s.vx_of(body)] + y[s.vy_of(body)] * y[s.vy_of(body)]);
       gravity += mass(body) * 9.81 * y[s.y_of(body)];
     }
-    const NodeMotion nodes = s.nodes(y);
+    const NodeMotion nodes = s.nodes(0, y);
     for (int link = 0; link < parts.link.count(); ++link) {
       const int a = parts.link.a[link], b = parts.link.b[link];
       const double stretch = std::hypot(nodes.x[a] - nodes.x[b], nodes.y[a] - nodes.y[b]) - parts.link.rest[link];
@@ -204,7 +204,7 @@ TEST_F(WrittenSeries, EventsAreTheTearsWithTheirPlaceAndForce) {
       EXPECT_EQ(events.number(row, "row b"), b / 3);
       EXPECT_EQ(events.number(row, "column b"), b % 3);
       EXPECT_EQ(events.number(row, "fixed"), (a % 3 == 0) + (b % 3 == 0));
-      const NodeMotion nodes = known().system.nodes(m.y);
+      const NodeMotion nodes = known().system.nodes(m.t, m.y);
       const double length = std::hypot(nodes.x[a] - nodes.x[b], nodes.y[a] - nodes.y[b]);
       EXPECT_NEAR(events.number(row, "force [N]"), 100 * (length - 0.5), 1e-9);
       ++row;

@@ -23,7 +23,7 @@ Frame frame_of(const System& system, double t, const State& y) {
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   for (int i = 0; i < system.parts().disc.count(); ++i)
     add(discs, {y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], von_mises(stress[i])});
-  const NodeMotion node = system.nodes(y);
+  const NodeMotion node = system.nodes(t, y);
   const LinkArrays& link = system.parts().link;
   for (int k = 0; k < link.count(); ++k) {
     if (!system.torn(k)) add(links, {node.x[link.a[k]], node.y[link.a[k]], node.x[link.b[k]], node.y[link.b[k]]});
