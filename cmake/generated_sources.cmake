@@ -31,6 +31,7 @@ add_custom_command(OUTPUT "${generated_dir}/embedded.cpp"
 # What the numbers of studies depend on; see src/report/sources.h.
 file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
   src/*.h src/*.cpp verification/studies/*.h verification/studies/*.cpp validation/studies/*.h validation/studies/*.cpp
+  validation/calibration/*.h validation/calibration/*.cpp
   benchmarks/studies/*.h benchmarks/studies/*.cpp)
 file(GLOB page_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" validation/page/*.h validation/page/*.cpp
   verification/damped_hertz.h)

@@ -11,4 +11,7 @@ namespace furrow::validation {
 // report; the chapters of `catalogue` make the words about studies.
 void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vector<Study>& catalogue);
 
+// calibrate.
+void add_calibrate_command(CLI::App& app, std::vector<Command>& all);
+
 }  // namespace furrow::validation

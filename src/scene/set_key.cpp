@@ -77,6 +77,10 @@ class KeySetter {
 
   void operator()(const char* key, auto& field, const Key& about) {
     if (!is_it(key)) return;
+    if (double* one = component_of(field)) {
+      fault_ = set(*one, text_, about.unit);
+      return;
+    }
     fault_ = misplaced(field);
     if (fault_.empty()) fault_ = set(field, text_, about.unit);
   }
@@ -109,6 +113,12 @@ class KeySetter {
     const bool is = step_.key == key;
     found_ = found_ || is;
     return is;
+  }
+
+  // "origin.x": one of the two numbers.
+  static double* component_of(auto&) { return nullptr; }
+  double* component_of(Vec2& field) const {
+    return step_.index ? nullptr : step_.rest == "x" ? &field.x : step_.rest == "y" ? &field.y : nullptr;
   }
 
   // The path has an index or further keys where there are none.

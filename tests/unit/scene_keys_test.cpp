@@ -185,5 +185,16 @@ TEST(SceneKeys, ABadPatternNamesTheNearestKey) {
   EXPECT_EQ(scene_keys("node.row").size(), 1U);
 }
 
+TEST(SetKey, SetsOneNumberOfAVector) {
+  Scene scene;
+  scene.plate.resize(1);
+  EXPECT_EQ(set_key(scene, "plate[0].velocity.x", "0.2"), "");
+  EXPECT_EQ(set_key(scene, "plate[0].velocity.y", "-1e-2"), "");
+  EXPECT_EQ(scene.plate[0].velocity.x, 0.2);
+  EXPECT_EQ(scene.plate[0].velocity.y, -0.01);
+  EXPECT_NE(set_key(scene, "plate[0].velocity.z", "1"), "");
+  EXPECT_NE(set_key(scene, "plate[0].velocity.x", "[1, 2]"), "");
+}
+
 }  // namespace
 }  // namespace furrow

@@ -41,6 +41,12 @@ double largest(const std::vector<double>& values, Samples s) {
   return std::abs(value_at(values, s, extreme(values, s)));
 }
 
+double mean(const std::vector<double>& values, Samples s) {
+  double sum = 0;
+  for (std::size_t k = s.first; k < s.last; ++k) sum += values[k];
+  return sum / static_cast<double>(s.last - s.first);
+}
+
 double force_ratio(const ForceCurve& c, Samples s) {
   double fx = 0, fy = 0;
   for (std::size_t k = s.first; k < s.last; ++k) fx += std::abs(c.fx[k]), fy += std::abs(c.fy[k]);
@@ -187,6 +193,11 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
   if (c.mm.empty()) return {};
   const Samples s = samples_in(c, window.value_or(Window{0, c.end()}));
   if (name == "largest_force") return {largest(c.f, s)};
+  if (name == "largest_fx") return {largest(c.fx, s)};
+  if (name == "largest_fy") return {largest(c.fy, s)};
+  if (name == "mean_force") return {mean(c.f, s)};
+  if (name == "mean_fx") return {mean(c.fx, s)};
+  if (name == "mean_fy") return {mean(c.fy, s)};
   if (name == "largest_force_at") return {value_at(c.mm, s, extreme(c.f, s))};
   if (name == "force_ratio") return {force_ratio(c, s)};
   if (name == "force_free_share") return {force_free_share(c)};
@@ -205,6 +216,44 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
   if (name == "second_contact_fx") return {largest(c.fx, second), none};
   if (name == "second_contact_fy") return {largest(c.fy, second), none};
   return lattice_observable(run, name);
+}
+
+const std::vector<std::string>& observable_names() {
+  static const std::vector<std::string> all{"largest_force",
+                                            "largest_fx",
+                                            "largest_fy",
+                                            "mean_force",
+                                            "mean_fx",
+                                            "mean_fy",
+                                            "largest_force_at",
+                                            "force_ratio",
+                                            "force_free_share",
+                                            "growth_of_maxima",
+                                            "exponential_share",
+                                            "finished",
+                                            "first_impact",
+                                            "free_flight_begins",
+                                            "free_flight_ends",
+                                            "second_contact_fx",
+                                            "second_contact_fy",
+                                            "first_tear",
+                                            "first_structural_tear",
+                                            "first_structural_tear_place",
+                                            "fixed_links_torn",
+                                            "plate_meets_lattice",
+                                            "split",
+                                            "pieces",
+                                            "smallest_force_after_split",
+                                            "largest_force_after_split",
+                                            "pile_up",
+                                            "depth_left_behind",
+                                            "right_wall_stress",
+                                            "corner_stress",
+                                            "corner_relief",
+                                            "stress_at_lattice",
+                                            "upper_part_moved",
+                                            "lower_part_moved"};
+  return all;
 }
 
 std::vector<std::array<double, 2>> maxima(const ForceCurve& curve, double length) {

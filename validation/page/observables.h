@@ -15,6 +15,9 @@ struct Measured {
 // std::invalid_argument if there is no such observable.
 Measured measure(const RunRecord& run, const std::string& observable, std::optional<std::array<double, 2>> window = {});
 
+// All that there are.
+const std::vector<std::string>& observable_names();
+
 // Largest sum of forces in each whole stretch of `length` mm: {where (mm), how large (N)}.
 std::vector<std::array<double, 2>> maxima(const ForceCurve& curve, double length);
 

@@ -164,6 +164,13 @@ std::string claims_of(const ordered_json& claims, bool old_times) {
 
 }  // namespace
 
+std::string chapter_html(const ordered_json& json, bool old_times, Drawings& drawings) {
+  std::string html = element("h2", text(json, "title")) + element("p", text(json, "question"), "lead");
+  html += claims_of(json.at("claims"), old_times);
+  for (const ordered_json& part : json.at("parts")) html += part_of(part, drawings);
+  return html;
+}
+
 std::string study_contents(const Evidence& evidence, StudyPlace place) {
   std::string lines;
   for (const Result& result : results_in(evidence, place)) {
@@ -175,10 +182,7 @@ std::string study_contents(const Evidence& evidence, StudyPlace place) {
 std::string study_sections(const Evidence& evidence, StudyPlace place, Drawings& drawings) {
   std::string sections;
   for (const Result& result : results_in(evidence, place)) {
-    const ordered_json& json = result.json;
-    std::string html = element("h2", text(json, "title")) + element("p", text(json, "question"), "lead");
-    html += claims_of(json.at("claims"), result.old_times);
-    for (const ordered_json& part : json.at("parts")) html += part_of(part, drawings);
+    std::string html = chapter_html(result.json, result.old_times, drawings);
     html += element("p", "By <code>furrow study " + result.name + "</code>: " + result.age, "note");
     sections += "<section id=\"study_" + result.name + "\">\n" + html + "</section>\n";
   }

@@ -39,7 +39,7 @@ Frame frame_of(const System& system, double t, const State& y) {
 
 }  // namespace
 
-RunRecord observed_run(Prepared prepared, const Timing& time) {
+RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch) {
   System& system = prepared.system;
   const double interval = prepared.scene.output.interval;
   RunRecord record;
@@ -51,11 +51,18 @@ RunRecord observed_run(Prepared prepared, const Timing& time) {
   const bool controlled = method->info().controlled;
   long rows = 0;
   const auto due = [&](double t) { return t >= static_cast<double>(rows) * interval - 0.5 * time.step; };
-  const RunPlan plan{
-      .start = 0, .end = time.end, .step = controlled ? time.max_step : time.step, .stop = [&](double t) {
-        const double next = static_cast<double>(rows) * interval;
-        return next > t && next < time.end ? next : time.end;
-      }};
+  std::optional<Validity> validity;
+  if (watch == Watch::on) validity.emplace(system, prepared.scene, [](const std::string&) {});
+  const RunPlan plan{.start = 0,
+                     .end = time.end,
+                     .step = controlled ? time.max_step : time.step,
+                     .stop =
+                         [&](double t) {
+                           const double next = static_cast<double>(rows) * interval;
+                           return next > t && next < time.end ? next : time.end;
+                         },
+                     .locate = time.locate,
+                     .validity = validity ? &*validity : nullptr};
   FirstTouch touch;
   const RunEnd end = run(system, *method, prepared.y, plan, [&](double t, const State& y, const JumpReport& jump) {
     touch.see(system, t, y);
@@ -66,7 +73,9 @@ RunRecord observed_run(Prepared prepared, const Timing& time) {
       record.frames.back().mm = speed * t;
     }
     if (!due(t)) return true;
-    const Force force = observe(system, t, y).plate.at(0);
+    const Observation seen = observe(system, t, y);
+    if (validity && prepared.scene.output.energy) validity->book(t, seen);
+    const Force force = seen.plate.at(0);
     record.force.mm.push_back(speed * t);
     record.force.fx.push_back(0 - force.x);
     record.force.fy.push_back(force.y);

@@ -9,7 +9,9 @@ namespace furrow::validation {
 
 // From a scene made ready to scene.time.end, by scene.time's method and step; the force every scene.output.interval.
 // A run that diverges keeps what it has: fact "ended" is then "diverged", fact "reason" says why.
-RunRecord observed_run(Prepared prepared, const Timing& time);
+// Watched, as `furrow run` does it, a run also ends where it leaves the validity of its laws.
+enum class Watch { off, on };
+RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch = Watch::off);
 
 // The named observables of the paper's statements about `scene` ("scenario_1" ...), in the order of statements.toml;
 // NaN where the run does not say, or says it in words.

@@ -1,0 +1,89 @@
+// `furrow calibrate`: the settings of scenes that come closest to what was measured.
+#include <cstdio>
+#include <thread>
+
+#include "program/progress.h"
+#include "program/usage.h"
+#include "scene/wording.h"
+#include "validation/calibration/calibration.h"
+#include "validation/commands.h"
+
+namespace furrow::validation {
+namespace {
+
+struct Options {
+  std::vector<std::string> scenes, vary;
+  std::string targets, directory = "calibration";
+  int points = 100, packings = 1, fresh = 5;
+  unsigned jobs = 0;
+};
+
+void print(const Calibration& c, const std::string& directory) {
+  const Candidate& best = c.best.front();
+  std::printf("misfit %s of tolerances: %s\n", rounded(best.fresh.misfit(), 3).c_str(),
+              text_of(c.keys, best.searched.setting).c_str());
+  for (const Known& k : c.identified.known)
+    std::printf("  %s = %s, %s\n", k.key.c_str(), k.value.c_str(),
+                k.low.empty() ? "not identifiable" : ("95 % interval " + k.low + " to " + k.high).c_str());
+  if (!c.identified.why_not.empty()) std::printf("  no intervals: %s\n", c.identified.why_not.c_str());
+  std::printf("%ld settings, %ld of them failed; %ld runs made, %ld replayed\n", c.points, c.failed, c.made,
+              c.replayed);
+  std::printf("%s/calibration.html, calibration.json; run the best: furrow run %s/best/%s.toml\n", directory.c_str(),
+              directory.c_str(), c.cases.front().name.c_str());
+}
+
+int command(const Options& options) {
+  Progress progress;
+  CalibrationRequest request{.scenes = {options.scenes.begin(), options.scenes.end()},
+                             .vary = options.vary,
+                             .targets = options.targets,
+                             .directory = options.directory};
+  request.plan.global_points = options.points - options.points * 2 / 5;
+  request.plan.local_points = options.points * 2 / 5;
+  request.plan.packings = options.packings;
+  request.plan.jobs = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  request.fresh = options.fresh;
+  request.progress = [&](double made, double all) { return progress.show("calibrate", "running", made, all); };
+  const Calibration calibration = calibrate(request);
+  write_calibration(calibration, options.directory);
+  print(calibration, options.directory);
+  return good;
+}
+
+}  // namespace
+
+void add_calibrate_command(CLI::App& app, std::vector<Command>& all) {
+  static Options options;
+  auto* named = app.add_subcommand("calibrate", "find the settings of scenes that come closest to what was measured");
+  named->add_option("scenes", options.scenes, "scene files, calibrated together")->required()->type_name("");
+  named
+      ->add_option("--vary", options.vary,
+                   "what varies, as KEY=low:high, KEY=low:high:log or KEY=a,b,c; keys with commas between them share a "
+                   "value, SCENE:KEY is of one scene")
+      ->required()
+      ->type_name("KEY=VALUES")
+      ->expected(1)
+      ->take_all();
+  named->add_option("--to", options.targets, "file of targets, TOML or JSON")->required()->type_name("FILE");
+  named->add_option("--points", options.points, "settings tried for each combination of listed values")
+      ->capture_default_str()
+      ->check(whole_number(5, 1000000))
+      ->type_name("NUMBER");
+  named->add_option("--packings", options.packings, "packings of the beds for each setting")
+      ->capture_default_str()
+      ->check(whole_number(1, 1000))
+      ->type_name("NUMBER");
+  named->add_option("--fresh", options.fresh, "further packings for the best few, for the spread of the misfit")
+      ->capture_default_str()
+      ->check(whole_number(2, 1000))
+      ->type_name("NUMBER");
+  named->add_option("--jobs", options.jobs, "runs at a time (default: one a processor)")
+      ->check(whole_number(1, 1024))
+      ->type_name("NUMBER");
+  named->add_option("--out", options.directory, "directory for the results; runs that it has are not made again")
+      ->capture_default_str()
+      ->type_name("DIR");
+  all.push_back({named, [] { return command(options); }});
+}
+
+}  // namespace furrow::validation

@@ -1,0 +1,97 @@
+#include "validation/calibration/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/read.h"
+#include "scene/wording.h"
+
+namespace furrow::validation {
+namespace {
+
+constexpr std::size_t most_candidates = 5;
+constexpr double apart = 0.02;  // of a range: settings nearer to each other are one
+
+std::vector<Case> cases_of(const std::vector<std::filesystem::path>& files) {
+  std::vector<Case> cases;
+  for (const std::filesystem::path& file : files) {
+    const std::string name = file.stem().string();
+    for (const Case& other : cases) {
+      if (other.name == name) throw std::invalid_argument("two scenes are named " + in_quotes(name));
+    }
+    cases.push_back({name, read_scene(file)});
+  }
+  return cases;
+}
+
+bool alike(const std::vector<VariedKey>& keys, const Setting& a, const Setting& b) {
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (keys[k].listed() ? a[k] != b[k] : std::fabs(keys[k].share_of(a[k]) - keys[k].share_of(b[k])) > apart)
+      return false;
+  }
+  return true;
+}
+
+std::vector<Point> few(const std::vector<VariedKey>& keys, const std::vector<Point>& points) {
+  std::vector<Point> best;
+  for (const Point& point : points) {
+    const bool known =
+        std::any_of(best.begin(), best.end(), [&](const Point& b) { return alike(keys, b.setting, point.setting); });
+    if (!known && point.failure.empty()) best.push_back(point);
+    if (best.size() == most_candidates) break;
+  }
+  return best;
+}
+
+// Of beds a step by slopes would fit the packings that are there.
+void refine(const Evaluator& evaluator, std::vector<Point>& points) {
+  constexpr int most_steps = 4;
+  for (int k = 0; k < most_steps; ++k) {
+    std::optional<Point> better = stepped(evaluator, points.front(), {0, 1});
+    if (!better) return;
+    points.insert(points.begin(), std::move(*better));
+  }
+}
+
+// Those of the best few, judged by packings that did not choose them.
+std::vector<Candidate> judged(const Evaluator& evaluator, const std::vector<Point>& best, const Packings& fresh) {
+  std::vector<Setting> settings;
+  for (const Point& point : best) settings.push_back(point.setting);
+  std::vector<Point> again = evaluator.packed() ? evaluator.at(settings, fresh) : best;
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < best.size(); ++k) candidates.push_back({best[k], std::move(again[k])});
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.fresh.misfit() < b.fresh.misfit(); });
+  return candidates;
+}
+
+}  // namespace
+
+Calibration calibrate(const CalibrationRequest& request) {
+  Calibration result;
+  result.cases = cases_of(request.scenes);
+  for (const std::string& text : request.vary) result.keys.push_back(VariedKey::of(text));
+  judge_keys(result.keys, result.cases);
+  std::vector<std::string> names;
+  for (const Case& of : result.cases) names.push_back(of.name);
+  result.targets = read_targets(request.targets, names);
+  double all = 1;
+  Runs runs(request.directory, request.plan.jobs,
+            [&](long made) { return !request.progress || request.progress(static_cast<double>(made), all); });
+  const Evaluator evaluator(result.cases, result.keys, result.targets, runs);
+  const Packings fresh = evaluator.packed() ? Packings{request.plan.packings, request.fresh} : Packings{0, 1};
+  all = static_cast<double>(runs_of(request.plan, evaluator) + runs_to_identify(evaluator, fresh.count) +
+                            static_cast<long>(most_candidates) * evaluator.runs_a_point(fresh.count));
+  std::vector<Point> points = search(evaluator, request.plan);
+  if (!evaluator.packed()) refine(evaluator, points);
+  result.points = std::ssize(points);
+  result.failed = std::count_if(points.begin(), points.end(), [](const Point& p) { return !p.failure.empty(); });
+  result.best = judged(evaluator, few(result.keys, points), fresh);
+  result.identified = identify(evaluator, result.best.front().fresh, fresh);
+  result.made = runs.made();
+  result.replayed = runs.replayed();
+  return result;
+}
+
+}  // namespace furrow::validation

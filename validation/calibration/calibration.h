@@ -1,0 +1,46 @@
+// A calibration from its scenes, keys and targets to its result: files, and words for a page.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "report/study.h"
+#include "validation/calibration/identify.h"
+#include "validation/calibration/search.h"
+
+namespace furrow::validation {
+
+struct CalibrationRequest {
+  std::vector<std::filesystem::path> scenes;
+  std::vector<std::string> vary;  // see VariedKey::of
+  std::filesystem::path targets;
+  std::filesystem::path directory;  // empty: nothing is kept
+  SearchPlan plan{};
+  int fresh = 5;                                   // packings that the search has not seen, for the best few
+  std::function<bool(double, double)> progress{};  // (runs, of at most); false stops
+};
+
+// A setting that the search found, and what it gives with packings that it has not seen.
+struct Candidate {
+  Point searched, fresh;
+};
+
+struct Calibration {
+  std::vector<Case> cases;
+  std::vector<VariedKey> keys;
+  Targets targets;
+  std::vector<Candidate> best;  // settings that differ by more than a fiftieth of a range, the best first
+  Identified identified;        // about the first of them
+  long points = 0, failed = 0, made = 0, replayed = 0;
+};
+
+// Throws what reading scenes, keys and targets throws, Interrupted, std::runtime_error if nothing runs.
+Calibration calibrate(const CalibrationRequest& request);
+
+Json json_of(const Calibration& calibration);
+Report report_of(const Calibration& calibration);
+
+// calibration.json, calibration.html and best/SCENE.toml. Throws FileError.
+void write_calibration(const Calibration& calibration, const std::filesystem::path& directory);
+
+}  // namespace furrow::validation

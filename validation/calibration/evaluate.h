@@ -1,0 +1,50 @@
+// A point of a calibration: all scenes with one setting, for some packings, judged by the targets.
+#pragma once
+
+#include "validation/calibration/runs.h"
+#include "validation/calibration/targets.h"
+#include "validation/calibration/varied_key.h"
+
+namespace furrow::validation {
+
+// Packings number first, first + 1, ...: each drawn by the scene's own seed and so many more.
+struct Packings {
+  int first = 0, count = 1;
+};
+
+struct Point {
+  Setting setting;
+  std::vector<Json> values;     // by packing: an array, a value a target
+  std::vector<double> misfits;  // by packing
+  std::string failure;          // why a run of it failed, if one did
+  double misfit() const;        // mean over the packings
+  double spread() const;        // their standard deviation; NaN for one packing
+};
+
+// What is calibrated, and how points of it are made.
+class Evaluator {
+ public:
+  // Throws std::invalid_argument if a target asks for what its scene does not do: a displacement that is not reached.
+  Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targets targets, Runs& runs);
+
+  // Thread-safe.
+  Point at(const Setting& setting, const Packings& packings) const;
+  // Several at once.
+  std::vector<Point> at(const std::vector<Setting>& settings, const Packings& packings) const;
+
+  int runs_a_point(int packings) const;  // scenes without packings run once
+  bool packed() const;
+  const std::vector<Case>& cases() const { return cases_; }
+  const std::vector<VariedKey>& keys() const { return keys_; }
+  const Targets& targets() const { return targets_; }
+
+ private:
+  Task task(const Case& of, const Setting& setting, int packing) const;
+
+  std::vector<Case> cases_;
+  std::vector<VariedKey> keys_;
+  Targets targets_;
+  Runs& runs_;
+};
+
+}  // namespace furrow::validation

@@ -1,0 +1,105 @@
+#include "validation/calibration/targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/wording.h"
+#include "validation/page/observables.h"
+
+namespace furrow::validation {
+namespace {
+
+// Of one number, in tolerances; a limit that is kept misses by nothing.
+double residual(const Target& t, double value) {
+  const double off = value - t.value[0];
+  if (t.relation == Relation::below) return std::max(0.0, off) / t.tolerance;
+  if (t.relation == Relation::above) return std::min(0.0, off) / t.tolerance;
+  if (t.relation == Relation::between) return (std::min(0.0, off) + std::max(0.0, value - t.value[1])) / t.tolerance;
+  return off / t.tolerance;
+}
+
+// Linear between two samples; NaN beyond the last.
+double force_at(const std::vector<double>& mm, const std::vector<double>& force, double at) {
+  const auto after = std::lower_bound(mm.begin(), mm.end(), at) - mm.begin();
+  if (after == std::ssize(mm)) return mm.empty() || at > mm.back() + 1 ? NAN : force.back();
+  if (after == 0) return force[0];
+  const double share = (at - mm[after - 1]) / (mm[after] - mm[after - 1]);
+  return force[after - 1] + share * (force[after] - force[after - 1]);
+}
+
+Json curve_of(const MeasuredCurve& curve, const ForceCurve& ours) {
+  const std::vector<double>& force = curve.component == "Fx" ? ours.fx : curve.component == "Fy" ? ours.fy : ours.f;
+  Json values = Json::array();
+  for (const double mm : curve.mm) {
+    const double f = force_at(ours.mm, force, mm);
+    if (!std::isfinite(f)) return nullptr;  // the run ended before
+    values.push_back(std::stod(rounded(f, 8)));
+  }
+  return values;
+}
+
+double norm_of(Norm norm, const std::vector<double>& off) {
+  double sum = 0, greatest = 0;
+  for (const double r : off) {
+    sum += norm == Norm::rms ? r * r : std::fabs(r);
+    greatest = std::max(greatest, std::fabs(r));
+  }
+  if (norm == Norm::max) return greatest;
+  const double mean = sum / static_cast<double>(off.size());
+  return norm == Norm::rms ? std::sqrt(mean) : mean;
+}
+
+}  // namespace
+
+std::string Target::asked() const {
+  std::vector<std::string> parts{observable};
+  if (window) parts.push_back(shortest((*window)[0]) + " to " + shortest((*window)[1]));
+  if (curve) {
+    parts.push_back(curve->component);
+    for (const double mm : curve->mm) parts.push_back(shortest(mm));
+  }
+  return joined(parts, " ");
+}
+
+Json value_of(const Target& target, const RunRecord& run) {
+  if (target.curve) return curve_of(*target.curve, run.force);
+  const Measured measured = measure(run, target.observable, target.window);
+  if (std::isfinite(measured.value)) return measured.value;
+  return measured.words.empty() ? Json() : Json(measured.words);
+}
+
+std::vector<double> residuals(const Target& target, const Json& value, double missing) {
+  if (target.relation == Relation::says && !target.curve) return {value == target.words ? 0.0 : 1.0};
+  const std::size_t count = target.curve ? target.curve->mm.size() : 1;
+  if (target.curve ? !value.is_array() : !value.is_number()) return std::vector<double>(count, missing);
+  if (!target.curve) return {residual(target, value)};
+  std::vector<double> off;
+  for (std::size_t k = 0; k < count; ++k)
+    off.push_back((value[k].get<double>() - target.curve->force[k]) / target.tolerance);
+  return off;
+}
+
+double misfit(const Target& target, const Json& value, double missing) {
+  return norm_of(target.curve ? target.curve->norm : Norm::rms, residuals(target, value, missing));
+}
+
+double misfit(const Targets& targets, const Json& values) {
+  double sum = 0, weights = 0;
+  for (std::size_t k = 0; k < targets.all.size(); ++k) {
+    const double r = misfit(targets.all[k], values.at(k), targets.missing);
+    sum += targets.all[k].weight * (targets.bounded ? r * r / (1 + r * r) : r * r);
+    weights += targets.all[k].weight;
+  }
+  return std::sqrt(sum / weights);
+}
+
+double number_of(const Json& value) {
+  if (value.is_number()) return value;
+  if (!value.is_array()) return NAN;
+  double sum = 0;
+  for (const Json& force : value) sum += force.get<double>();
+  return sum / static_cast<double>(value.size());
+}
+
+}  // namespace furrow::validation

@@ -1,0 +1,175 @@
+#include "validation/calibration/varied_key.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "run/prepare.h"
+#include "scene/read.h"
+#include "scene/set_key.h"
+#include "scene/wording.h"
+
+namespace furrow::validation {
+namespace {
+
+constexpr std::size_t most_combinations = 10000;
+
+[[noreturn]] void wrong(const std::string& what, const std::string& why) {
+  throw std::invalid_argument("--vary " + what + ": " + why);
+}
+
+// At each `mark` outside of brackets.
+std::vector<std::string> split(const std::string& text, char mark) {
+  std::vector<std::string> parts{""};
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == mark && depth == 0) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+double number_in(const std::string& text, const std::string& key) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || rest != end || !std::isfinite(number))
+    wrong(key, "the end of a range must be a number, not " + in_quotes(text));
+  return number;
+}
+
+void read_range(VariedKey& key, const std::string& text, const std::string& values) {
+  const std::vector<std::string> ends = split(values, ':');
+  key.logarithmic = ends.size() == 3 && ends[2] == "log";
+  if (ends.size() != 2 && !key.logarithmic) wrong(text, "a range is low:high, or low:high:log");
+  key.low = number_in(ends[0], text);
+  key.high = number_in(ends[1], text);
+  if (!(key.low < key.high)) wrong(text, "the range must begin below its end");
+  if (key.logarithmic && !(key.low > 0)) wrong(text, "a logarithmic range must lie above 0");
+}
+
+// What keeps a scene from having that value; empty if nothing does.
+std::string fault_of(const Case& of, const VariedKey::Path& path, const std::string& value) {
+  Scene scene = of.scene;
+  return set_key(scene, path.path, value);
+}
+
+bool belongs(const VariedKey::Path& path, const Case& of, const std::string& value) {
+  return (path.scene.empty() || path.scene == of.name) && fault_of(of, path, value).empty();
+}
+
+void judge_path(const VariedKey& key, const VariedKey::Path& path, const std::string& value,
+                const std::vector<Case>& cases) {
+  std::string fault;
+  std::vector<std::string> names;
+  for (const Case& of : cases) {
+    if (belongs(path, of, value)) return;
+    names.push_back(of.name);
+    if (path.scene.empty() || path.scene == of.name) fault = fault_of(of, path, value);
+  }
+  if (fault.empty()) fault = "there is no scene " + in_quotes(path.scene) + nearest_or_all(path.scene, names);
+  wrong(key.name + "=" + value, fault);
+}
+
+void judge_value(const std::vector<VariedKey>& keys, const std::vector<Case>& cases, Setting setting, std::size_t k,
+                 const std::string& value) {
+  setting[k] = value;
+  for (const VariedKey::Path& path : keys[k].paths) judge_path(keys[k], path, value, cases);
+  for (const Case& of : cases) {
+    for (const Problem& problem : problems_of(scene_with(of, keys, setting, 0)))
+      wrong(keys[k].name + "=" + value, of.name + ": " + problem.path + ": " + problem.message);
+  }
+}
+
+std::vector<std::string> extremes(const VariedKey& key) {
+  return key.listed() ? key.values : std::vector<std::string>{key.at(0), key.at(1)};
+}
+
+}  // namespace
+
+VariedKey VariedKey::of(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos || equals + 1 == text.size())
+    wrong(text, "must be KEY=low:high, KEY=low:high:log or KEY=a,b,c");
+  VariedKey key{text.substr(0, equals), {}};
+  for (const std::string& part : split(key.name, ',')) {
+    const std::size_t colon = part.find(':');
+    key.paths.push_back(colon == std::string::npos ? Path{"", part}
+                                                   : Path{part.substr(0, colon), part.substr(colon + 1)});
+  }
+  const std::string values = text.substr(equals + 1);
+  if (split(values, ':').size() > 1) {
+    read_range(key, text, values);
+    return key;
+  }
+  key.values = split(values, ',');
+  if (std::set(key.values.begin(), key.values.end()).size() < key.values.size()) wrong(text, "names a value twice");
+  return key;
+}
+
+// Eight digits: settings stay readable, and no key of a scene is known better.
+std::string VariedKey::at(double share) const {
+  const double between = logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
+  return rounded(std::clamp(between, low, high), 8);
+}
+
+double VariedKey::share_of(const std::string& value) const {
+  const double number = number_in(value, name);
+  return logarithmic ? std::log(number / low) / std::log(high / low) : (number - low) / (high - low);
+}
+
+Scene scene_with(const Case& of, const std::vector<VariedKey>& keys, const Setting& setting, int packing) {
+  Scene scene = of.scene;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    for (const VariedKey::Path& path : keys[k].paths) {
+      if (path.scene.empty() || path.scene == of.name) set_key(scene, path.path, setting[k]);
+    }
+  }
+  for (Packing& p : scene.packing) p.seed += static_cast<std::uint64_t>(packing);
+  return scene;
+}
+
+void judge_keys(const std::vector<VariedKey>& keys, const std::vector<Case>& cases) {
+  if (keys.empty()) throw std::invalid_argument("--vary: name at least one key, as in --vary contact.friction=0.1:0.9");
+  std::set<std::string> names;
+  for (const VariedKey& key : keys) {
+    for (const VariedKey::Path& path : key.paths) {
+      if (!names.insert(path.scene + ":" + path.path).second) wrong(key.name, "is varied twice");
+    }
+  }
+  const Setting middle = combinations(keys).front();
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    for (const std::string& value : extremes(keys[k])) judge_value(keys, cases, middle, k, value);
+  }
+}
+
+std::vector<Setting> combinations(const std::vector<VariedKey>& keys) {
+  std::vector<Setting> all{{}};
+  for (const VariedKey& key : keys) {
+    std::vector<Setting> longer;
+    for (const Setting& some : all) {
+      for (const std::string& value : key.listed() ? key.values : std::vector<std::string>{key.at(0.5)}) {
+        longer.push_back(some);
+        longer.back().push_back(value);
+      }
+    }
+    all = std::move(longer);
+    if (all.size() > most_combinations)
+      wrong(key.name, "more than " + std::to_string(most_combinations) + " combinations of listed values");
+  }
+  return all;
+}
+
+std::string text_of(const std::vector<VariedKey>& keys, const Setting& setting) {
+  std::vector<std::string> parts;
+  for (std::size_t k = 0; k < keys.size(); ++k) parts.push_back(keys[k].name + "=" + setting[k]);
+  return joined(parts);
+}
+
+}  // namespace furrow::validation
