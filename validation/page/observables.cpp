@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "validation/page/sentence_observables.h"
 #include "validation/page/snapshot_observables.h"
 
 namespace furrow::validation {
@@ -206,6 +207,7 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
   if (name == "finished")
     return {run.finished() ? 1.0 : 0.0, run.finished() ? "comes to its end" : "does not come to its end"};
   if (const auto seen = measure_snapshots(run, name)) return *seen;
+  if (const auto said = measure_sentences(run, name, window.value_or(Window{0, c.end()}))) return *said;
   const Contacts contacts = contacts_of(c);
   const double first_end = std::isnan(contacts.ended) ? c.end() : contacts.ended;
   if (name == "first_impact") return {largest(c.fx, samples_in(c, {contacts.first, first_end}))};
@@ -219,40 +221,44 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
 }
 
 const std::vector<std::string>& observable_names() {
-  static const std::vector<std::string> all{"largest_force",
-                                            "largest_fx",
-                                            "largest_fy",
-                                            "mean_force",
-                                            "mean_fx",
-                                            "mean_fy",
-                                            "largest_force_at",
-                                            "force_ratio",
-                                            "force_free_share",
-                                            "growth_of_maxima",
-                                            "exponential_share",
-                                            "finished",
-                                            "first_impact",
-                                            "free_flight_begins",
-                                            "free_flight_ends",
-                                            "second_contact_fx",
-                                            "second_contact_fy",
-                                            "first_tear",
-                                            "first_structural_tear",
-                                            "first_structural_tear_place",
-                                            "fixed_links_torn",
-                                            "plate_meets_lattice",
-                                            "split",
-                                            "pieces",
-                                            "smallest_force_after_split",
-                                            "largest_force_after_split",
-                                            "pile_up",
-                                            "depth_left_behind",
-                                            "right_wall_stress",
-                                            "corner_stress",
-                                            "corner_relief",
-                                            "stress_at_lattice",
-                                            "upper_part_moved",
-                                            "lower_part_moved"};
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names{"largest_force",
+                                   "largest_fx",
+                                   "largest_fy",
+                                   "mean_force",
+                                   "mean_fx",
+                                   "mean_fy",
+                                   "largest_force_at",
+                                   "force_ratio",
+                                   "force_free_share",
+                                   "growth_of_maxima",
+                                   "exponential_share",
+                                   "finished",
+                                   "first_impact",
+                                   "free_flight_begins",
+                                   "free_flight_ends",
+                                   "second_contact_fx",
+                                   "second_contact_fy",
+                                   "first_tear",
+                                   "first_structural_tear",
+                                   "first_structural_tear_place",
+                                   "fixed_links_torn",
+                                   "plate_meets_lattice",
+                                   "split",
+                                   "pieces",
+                                   "smallest_force_after_split",
+                                   "largest_force_after_split",
+                                   "pile_up",
+                                   "depth_left_behind",
+                                   "right_wall_stress",
+                                   "corner_stress",
+                                   "corner_relief",
+                                   "stress_at_lattice",
+                                   "upper_part_moved",
+                                   "lower_part_moved"};
+    names.insert(names.end(), sentence_observable_names().begin(), sentence_observable_names().end());
+    return names;
+  }();
   return all;
 }
 
