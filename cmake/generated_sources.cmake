@@ -20,7 +20,8 @@ add_custom_target(furrow_build_info
 # Text files that the program needs wherever it is installed. A file is known by its path in the project.
 file(GLOB embedded_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
   validation/figures/*.gp validation/figures/*.html validation/figures/*.css validation/scenes/*.toml
-  validation/statements.toml verification/cases/*.toml verification/engines/PROTOCOL.md)
+  validation/statements.toml validation/sentences.toml validation/readings.toml verification/cases/*.toml
+  verification/engines/PROTOCOL.md)
 list(TRANSFORM embedded_files PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE embedded_paths)
 add_custom_command(OUTPUT "${generated_dir}/embedded.cpp"
   COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${generated_dir}/embedded.cpp" "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}"

@@ -6,6 +6,7 @@
 #include "validation/studies/ensemble.h"
 #include "validation/studies/geometry.h"
 #include "validation/studies/outlook.h"
+#include "validation/studies/readings.h"
 #include "validation/studies/statements.h"
 #include "verification/studies/order.h"
 #include "verification/studies/published.h"
@@ -92,6 +93,12 @@ const std::vector<Study>& catalogue() {
        .reads = {"ensemble"},
        .measure = measure_statements,
        .chapter = statements},
+      {.name = "readings",
+       .what = "every reading of what the paper leaves open, and every sentence judged",
+       .files = and_observing({"validation/studies/readings.", "validation/studies/sentences.",
+                               "validation/studies/beds.", "validation/page/sentence_observables."}),
+       .measure = measure_readings,
+       .chapter = readings_of_the_paper},
       {.name = "outlook",
        .what = "what the paper leaves to later: speed of the plate, size of the particles",
        .files = and_members("validation/studies/outlook."),

@@ -20,5 +20,6 @@ Report need(const Shelf& shelf);
 Report speed(const Shelf& shelf);
 Report published(const Shelf& shelf);
 Report statements(const Shelf& shelf);
+Report readings_of_the_paper(const Shelf& shelf);
 
 }  // namespace furrow::validation

@@ -1,0 +1,99 @@
+#include "validation/page/chapters/readings_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/files.h"
+#include "scene/wording.h"
+#include "validation/studies/observed_run.h"
+
+namespace furrow::validation {
+namespace {
+
+using Packings = std::map<std::string, std::vector<Json>>;
+
+// Mean over the packings; scene 1 has one, which stands beside each of the others.
+double mean_misfit(const Packings& said, const std::vector<std::string>& scenes) {
+  std::size_t packings = 1;
+  for (const auto& [scene, runs] : said) packings = std::max(packings, runs.size());
+  double sum = 0;
+  for (std::size_t p = 0; p < packings; ++p) {
+    std::map<std::string, Json> one;
+    for (const auto& [scene, runs] : said) one[scene] = runs[std::min(p, runs.size() - 1)];
+    sum += misfit_of(one, scenes);
+  }
+  return sum / static_cast<double>(packings);
+}
+
+bool among(const std::vector<std::string>& scenes, const std::string& scene) {
+  return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+}
+
+}  // namespace
+
+Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes) {
+  Judgement judged;
+  for (const Statement& row : the_rows())
+    judged.rows[row.id] = among(scenes, row.scene)
+                              ? row_verdict(row, finalist.said.at(row.scene), finalist.finer.at(row.scene))
+                              : "not testable";
+  for (const Statement& row : the_paper().statements)
+    judged.older_reproduced += judged.rows[row.id] == "reproduced" ? 1 : 0;
+  for (const Sentence& sentence : the_sentences()) judged.sentences.push_back(sentence_verdict(sentence, judged.rows));
+  judged.misfit = mean_misfit(finalist.said, scenes);
+  judged.finer_misfit = mean_misfit(finalist.finer, scenes);
+  return judged;
+}
+
+const Finalist& best_finalist(const Found& found) {
+  const auto worse_step = [&](const Finalist& f) {
+    return std::max(mean_misfit(f.said, found.scenes), mean_misfit(f.finer, found.scenes));
+  };
+  return *std::min_element(found.finalists.begin(), found.finalists.end(),
+                           [&](const Finalist& a, const Finalist& b) { return worse_step(a) < worse_step(b); });
+}
+
+const std::vector<std::string>& counted_verdicts() {
+  static const std::vector<std::string> all{
+      "reproduced",  "reproduced in kind", "only at this step", "not reproduced", "contradicted by the paper itself",
+      "not testable"};
+  return all;
+}
+
+int count_of(const std::vector<std::string>& verdicts, const std::string& verdict) {
+  return static_cast<int>(std::count(verdicts.begin(), verdicts.end(), verdict));
+}
+
+int testable() {
+  return static_cast<int>(
+      std::count_if(the_sentences().begin(), the_sentences().end(), [](const Sentence& s) { return !s.rows.empty(); }));
+}
+
+int rows_near(const ReadPoint& point, const std::vector<std::string>& scenes) {
+  int near = 0;
+  for (const Statement& row : the_rows())
+    near += among(scenes, row.scene) && row_misfit(row, point.said.at(row.scene)) < 0.5 ? 1 : 0;
+  return near;
+}
+
+std::string wanted_of(const Statement& row) {
+  if (!row.words.empty()) return row.words;
+  return row.relation + (row.relation.empty() ? "" : " ") + number(row.value) +
+         (row.unit.empty() ? "" : " " + row.unit);
+}
+
+std::string said_in(const Json& said, const std::string& id) {
+  if (!said.contains(id)) return said.contains("failed") ? "does not run" : "–";
+  return said[id].is_string() ? said[id].get<std::string>() : three_digits(said[id]);
+}
+
+std::string said_of(const Finalist& finalist, const std::string& id) {
+  const Statement& row = row_named(id);
+  const auto runs = finalist.said.find(row.scene);
+  if (runs == finalist.said.end()) return "–";
+  const Sample sample = sample_of(id, runs->second);
+  if (sample.numbers.empty()) return sample.words.empty() ? "–" : sample.words.front();
+  return three_digits(sample.quantile(0.5)) + (row.unit.empty() ? "" : " " + row.unit);
+}
+
+}  // namespace furrow::validation

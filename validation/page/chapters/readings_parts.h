@@ -1,0 +1,35 @@
+// What the chapter on the readings computes from the runs of a search.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "validation/studies/readings.h"
+
+namespace furrow::validation {
+
+struct Judgement {
+  std::map<std::string, std::string> rows;  // verdict by id
+  std::vector<std::string> sentences;       // verdict of each, in the order of the_sentences()
+  double misfit = 0, finer_misfit = 0;      // mean over packings
+  int older_reproduced = 0;                 // of the rows of statements.toml
+};
+
+Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes);
+
+// The least of the larger of its misfits at the two steps.
+const Finalist& best_finalist(const Found& found);
+
+const std::vector<std::string>& counted_verdicts();
+int count_of(const std::vector<std::string>& verdicts, const std::string& verdict);
+int testable();  // sentences with rows
+
+// Rows of those scenes whose misfit is below one half: a number within a tenth, a limit that is nearly kept.
+int rows_near(const ReadPoint& point, const std::vector<std::string>& scenes);
+
+std::string wanted_of(const Statement& row);
+std::string said_in(const Json& said, const std::string& id);
+std::string said_of(const Finalist& finalist, const std::string& id);  // median with its unit, or words
+
+}  // namespace furrow::validation

@@ -1,0 +1,200 @@
+// Sentences of the paper, how they are judged, and the search over what it leaves open.
+#include "validation/studies/readings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "run/prepare.h"
+#include "scene/read.h"
+#include "validation/calibration/varied_key.h"
+#include "validation/page/sentence_observables.h"
+#include "validation/studies/observed_run.h"
+
+namespace furrow::validation {
+namespace {
+
+Scene applied(const std::string& scene, const Alternative& alternative) {
+  std::vector<VariedKey> keys;
+  Setting setting;
+  for (const std::string& set : alternative.set) {
+    keys.push_back(VariedKey::of(set));
+    setting.push_back(keys.back().values.at(0));
+  }
+  return scene_with({scene, paper_scene(scene, Reading::disc, 1)}, keys, setting, 0);
+}
+
+const std::vector<std::string> scenes{"scenario_1", "scenario_2", "scenario_3"};
+
+TEST(Readings, FirstAlternativesAreWhatTheSceneFilesSay) {
+  for (const Choice& choice : the_readings().choices) {
+    for (const std::string& scene : scenes)
+      EXPECT_EQ(canonical_text(applied(scene, choice.alternatives.front())),
+                canonical_text(paper_scene(scene, Reading::disc, 1)))
+          << choice.id << " in " << scene;
+  }
+}
+
+TEST(Readings, EveryOtherAlternativeChangesASceneIntoOneThatCanBeRun) {
+  for (const Choice& choice : the_readings().choices) {
+    for (std::size_t a = 1; a < choice.alternatives.size(); ++a) {
+      int changed = 0;
+      for (const std::string& scene : scenes) {
+        const Scene made = applied(scene, choice.alternatives[a]);
+        changed += canonical_text(made) != canonical_text(paper_scene(scene, Reading::disc, 1)) ? 1 : 0;
+        EXPECT_TRUE(problems_of(made).empty()) << choice.id << ", " << choice.alternatives[a].name << " in " << scene;
+      }
+      EXPECT_GT(changed, 0) << choice.id << ", " << choice.alternatives[a].name;
+    }
+  }
+}
+
+TEST(Sentences, EveryRowOfTheirOwnIsUsedAndNoIdStandsTwice) {
+  std::set<std::string> ids, used;
+  for (const Statement& row : the_rows()) EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+  for (const Sentence& sentence : the_sentences()) used.insert(sentence.rows.begin(), sentence.rows.end());
+  for (std::size_t k = the_paper().statements.size(); k < the_rows().size(); ++k)
+    EXPECT_TRUE(used.contains(the_rows()[k].id)) << the_rows()[k].id;
+}
+
+TEST(Sentences, WithoutRowsNeedAReason) {
+  EXPECT_THROW(read_sentences("[[sentence]]\ntext = \"a\"\nrows = []", {}), std::runtime_error);
+  EXPECT_THROW(read_sentences("[[sentence]]\ntext = \"a\"\nrows = [\"none\"]", {}), std::runtime_error);
+  EXPECT_EQ(read_sentences("[[sentence]]\ntext = \"a\"\nrows = []\nuntested = \"b\"", {}).size(), 1U);
+}
+
+Statement row(const std::string& id) {
+  Statement s;
+  s.id = id;
+  return s;
+}
+
+TEST(RowMisfit, IsAHalfAtATenthOfTheNumber) {
+  Statement s = row("a");
+  s.value = 200;
+  EXPECT_EQ(row_misfit(s, {{"a", 200.0}}), 0);
+  EXPECT_EQ(row_misfit(s, {{"a", 220.0}}), 0.5);
+  EXPECT_EQ(row_misfit(s, {{"a", 180.0}}), 0.5);
+  EXPECT_EQ(row_misfit(s, {{"a", "not by the end"}}), 1);
+  EXPECT_EQ(row_misfit(s, Json::object()), 1);
+}
+
+TEST(RowMisfit, IsNothingWithinARange) {
+  Statement s = row("a");
+  s.words = "high";
+  s.holds = {{2.0, 4.0}};
+  EXPECT_EQ(row_misfit(s, {{"a", 2.0}}), 0);
+  EXPECT_EQ(row_misfit(s, {{"a", 4.2}}), 0.5) << "a tenth of its width";
+  s.holds = {{2.0, infinity}};
+  EXPECT_EQ(row_misfit(s, {{"a", 1.8}}), 0.5) << "a tenth of its end";
+}
+
+Json runs_of(double value) { return {{"a", value}}; }
+
+TEST(RowVerdict, IsOnlyAtThisStepWhereTheFinerOneTakesItAway) {
+  Statement s = row("a");
+  s.value = 100;
+  const std::vector<Json> near{runs_of(101), runs_of(99)}, far{runs_of(10), runs_of(11)};
+  EXPECT_EQ(row_verdict(s, near, {}), "reproduced");
+  EXPECT_EQ(row_verdict(s, near, near), "reproduced");
+  EXPECT_EQ(row_verdict(s, near, far), "only at this step");
+  EXPECT_EQ(row_verdict(s, far, near), "not reproduced");
+  EXPECT_EQ(row_verdict(s, near, {Json{{"failed", "diverged"}}}), "only at this step");
+  EXPECT_EQ(row_verdict(s, {Json{{"failed", "diverged"}}}, {}), "not reproduced");
+}
+
+TEST(SentenceVerdict, IsTheWorstOfItsRows) {
+  const Sentence two{"", "", "", "", {"stable_lattice", "stable_discs"}};
+  EXPECT_EQ(sentence_verdict(two, {{"stable_lattice", "reproduced"}, {"stable_discs", "reproduced in kind"}}),
+            "reproduced in kind");
+  EXPECT_EQ(sentence_verdict({"", "", "", "", {}}, {}), "not testable");
+}
+
+// The text puts the split after 357 mm, figure 8 d shows it at 333 mm.
+TEST(SentenceVerdict, SaysWhereThePaperContradictsItself) {
+  const std::map<std::string, std::string> verdicts{{"split", "reproduced"}, {"early_maxima", "reproduced"}};
+  EXPECT_EQ(sentence_verdict({"", "", "split_in_figure_8d", "", {"split"}}, verdicts),
+            "contradicted by the paper itself");
+  EXPECT_EQ(sentence_verdict({"", "", "split_in_figure_8d", "", {"early_maxima"}}, verdicts), "reproduced");
+}
+
+// A made-up world in which one alternative alone brings a row, whatever else is chosen.
+TEST(Search, ExchangesItsWayToWhatBringsARow) {
+  std::size_t made = 0;
+  const Found found = search_readings(
+      [&](const std::vector<Task>& tasks) {
+        std::vector<Json> results;
+        for (const Task& task : tasks) {
+          Json said = Json::object();
+          if (task.key.find("box 0.54 m") != std::string::npos) said["largest_force_discs"] = 341.0;
+          if (task.key.find("damper whole velocity") != std::string::npos) said["first_impact"] = 238.0;
+          results.push_back(said);
+        }
+        made += tasks.size();
+        return results;
+      },
+      false);
+  const std::string best = words_of(found.best(scenes).reading);
+  EXPECT_NE(best.find("box 0.54 m"), std::string::npos) << best;
+  EXPECT_NE(best.find("damper whole velocity"), std::string::npos) << best;
+  EXPECT_EQ(found.finalists.front().reading, Interpretation(the_readings().choices.size(), 0)) << "the literal one";
+  EXPECT_EQ(found.random, static_cast<std::size_t>(the_readings().random));
+  EXPECT_LT(made, 3 * found.points.size() +
+                      6 * found.finalists.size() * static_cast<std::size_t>(the_readings().packings) +
+                      untorn_runs().size())
+      << "readings that make one scene share its run";
+}
+
+RunRecord record(const std::vector<std::array<double, 3>>& mm_fx_fy) {
+  RunRecord run;
+  for (const auto& [mm, fx, fy] : mm_fx_fy) {
+    run.force.mm.push_back(mm);
+    run.force.fx.push_back(fx);
+    run.force.fy.push_back(fy);
+    run.force.f.push_back(std::hypot(fx, fy));
+  }
+  return run;
+}
+
+double sentence(const RunRecord& run, const std::string& name, std::array<double, 2> window = {0, 1000}) {
+  return measure_sentences(run, name, window)->value;
+}
+
+TEST(SentenceObservables, FollowTheFirstContactAndTheOrderOfTheSecond) {
+  // Contact from 1 to 4 mm, Fx falls and Fy rises; from 8 mm on again, Fx first.
+  const RunRecord run = record({{0, 0, 0},
+                                {1, 90, 1},
+                                {2, 80, 2},
+                                {3, 30, 8},
+                                {4, 0, 0},
+                                {5, 0, 0},
+                                {6, 0, 0},
+                                {7, 0, 0},
+                                {8, 50, 0},
+                                {9, 10, -70},
+                                {10, 5, 0}});
+  EXPECT_NEAR(sentence(run, "first_contact_fx_change"), 30.0 / 2 - 170.0 / 2, 1e-12);
+  EXPECT_GT(sentence(run, "first_contact_fy_change"), 0);
+  EXPECT_EQ(sentence(run, "second_contact_order"), 1);
+  EXPECT_EQ(sentence(run, "contacts_per_100"), 20) << "two in 10 mm";
+}
+
+TEST(SentenceObservables, OfTwoForcesThatChangeTogetherAreOne) {
+  const RunRecord run = record({{0, 3, -1}, {1, 6, -2}, {2, -9, 3}, {3, 0, 0}});
+  EXPECT_NEAR(sentence(run, "proportional"), 1, 1e-12);
+  EXPECT_NEAR(sentence(record({{0, 1, 2}, {1, 2, 1}}), "proportional"), -1, 1e-12);
+}
+
+TEST(SentenceObservables, CompareTheHalvesOfAWindow) {
+  EXPECT_NEAR(sentence(record({{0, 1, 0}, {1, 1, 0}, {3, 2, 0}, {4, 4, 0}}), "mean_rise", {0, 4}), 3, 1e-12);
+}
+
+TEST(SentenceObservables, CountTears) {
+  RunRecord run = record({{0, 0, 0}, {50, 1, 0}});
+  run.torn = {{10, 0}, {30, 0}, {40, 0}};
+  EXPECT_EQ(sentence(run, "links_torn", {0, 33}), 2);
+}
+
+}  // namespace
+}  // namespace furrow::validation

@@ -1,0 +1,66 @@
+// validation/readings.toml, strictly: what it names must be there.
+#include <toml++/toml.h>
+
+#include <stdexcept>
+
+#include "report/embedded.h"
+#include "validation/studies/readings.h"
+
+namespace furrow::validation {
+namespace {
+
+constexpr const char* file = "validation/readings.toml";
+
+std::string text_in(const toml::table& table, const char* key) {
+  const auto text = table[key].value<std::string>();
+  if (!text || text->empty()) throw std::runtime_error(std::string(file) + ": " + key + " is missing");
+  return *text;
+}
+
+template <class Number>
+Number number_in(const toml::table& table, const char* key) {
+  const auto number = table[key].value<Number>();
+  if (!number) throw std::runtime_error(std::string(file) + ": search." + key + " is missing");
+  return *number;
+}
+
+const toml::array& list_in(const toml::table& table, const char* key) {
+  const toml::array* list = table[key].as_array();
+  if (!list || list->empty()) throw std::runtime_error(std::string(file) + ": there is no " + key);
+  return *list;
+}
+
+Alternative alternative_of(const toml::table& table) {
+  Alternative a{text_in(table, "name"), text_in(table, "reason"), {}};
+  for (const toml::node& set : list_in(table, "set")) a.set.push_back(set.value_or(std::string()));
+  a.drawn = table["drawn"].value_or(true);
+  return a;
+}
+
+}  // namespace
+
+const Readings& the_readings() {
+  static const Readings all = [] {
+    Readings readings;
+    const toml::table root = toml::parse(embedded(file));
+    const toml::table& search = *root["search"].as_table();
+    readings.random = number_in<int>(search, "random");
+    readings.exchanges = number_in<int>(search, "exchanges");
+    readings.finalists = number_in<int>(search, "finalists");
+    readings.packings = number_in<int>(search, "packings");
+    readings.fine_step = number_in<double>(search, "fine_step");
+    readings.seed = number_in<std::uint64_t>(search, "seed");
+    for (const toml::node& node : list_in(root, "choice")) {
+      const toml::table& table = *node.as_table();
+      readings.choices.push_back({text_in(table, "id"), text_in(table, "open"), {}});
+      for (const toml::node& one : list_in(table, "alternative"))
+        readings.choices.back().alternatives.push_back(alternative_of(*one.as_table()));
+    }
+    for (const toml::node& node : list_in(root, "unsearched"))
+      readings.unsearched.emplace_back(text_in(*node.as_table(), "open"), text_in(*node.as_table(), "why"));
+    return readings;
+  }();
+  return all;
+}
+
+}  // namespace furrow::validation
