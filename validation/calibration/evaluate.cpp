@@ -109,25 +109,27 @@ std::vector<Point> Evaluator::at(const std::vector<Setting>& settings, const Pac
   }
   const std::vector<Json> results = runs_.of(tasks);
   std::vector<Point> points;
-  std::size_t next = 0;
+  auto next = results.begin();
   for (const Setting& setting : settings) {
-    Point point{setting, {}, {}, {}};
-    for (int p = 0; p < packings.count; ++p, next += cases_.size()) {
-      Json values = Json::array();
-      for (const Target& target : targets_.all) {
-        for (std::size_t c = 0; c < cases_.size(); ++c) {
-          if (cases_[c].name != target.scene) continue;
-          const Json& run = results[next + c];
-          if (run.contains("failed")) point.failure = cases_[c].name + ": " + run["failed"].get<std::string>();
-          values.push_back(run.value(target.asked(), Json()));
-        }
-      }
-      point.misfits.push_back(furrow::validation::misfit(targets_, values));
-      point.values.push_back(std::move(values));
-    }
-    points.push_back(std::move(point));
+    points.push_back({setting, {}, {}, {}});
+    for (int p = 0; p < packings.count; ++p, next += std::ssize(cases_))
+      take({next, next + std::ssize(cases_)}, points.back());
   }
   return points;
+}
+
+// What the scenes gave with one packing, in the order of the targets.
+void Evaluator::take(const std::vector<Json>& runs, Point& point) const {
+  Json values = Json::array();
+  for (const Target& target : targets_.all) {
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      if (cases_[c].name != target.scene) continue;
+      if (runs[c].contains("failed")) point.failure = cases_[c].name + ": " + runs[c]["failed"].get<std::string>();
+      values.push_back(runs[c].value(target.asked(), Json()));
+    }
+  }
+  point.misfits.push_back(furrow::validation::misfit(targets_, values));
+  point.values.push_back(std::move(values));
 }
 
 }  // namespace furrow::validation

@@ -40,6 +40,7 @@ class Evaluator {
 
  private:
   Task task(const Case& of, const Setting& setting, int packing) const;
+  void take(const std::vector<Json>& runs, Point& point) const;
 
   std::vector<Case> cases_;
   std::vector<VariedKey> keys_;

@@ -117,6 +117,16 @@ const Point& best_of(const Objective& objective) {
       ->second;
 }
 
+// So many at most.
+std::vector<std::size_t> best_first(const std::vector<Objective>& objectives, std::size_t most) {
+  std::vector<std::size_t> order(objectives.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return better(best_of(objectives[a]), best_of(objectives[b])); });
+  order.resize(std::min(order.size(), most));
+  return order;
+}
+
 }  // namespace
 
 long runs_of(const SearchPlan& plan, const Evaluator& evaluator) {
@@ -137,11 +147,7 @@ std::vector<Point> search(const Evaluator& evaluator, const SearchPlan& plan) {
     if (!ranged) return static_cast<void>(objective.at(middle.data()));
     objective.minimise(NLOPT_GN_DIRECT_L, middle, plan.global_points);
   });
-  std::vector<std::size_t> order(objectives.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return better(best_of(objectives[a]), best_of(objectives[b])); });
-  order.resize(std::min(order.size(), ranged ? static_cast<std::size_t>(plan.best) : 0));
+  const std::vector<std::size_t> order = best_first(objectives, ranged ? static_cast<std::size_t>(plan.best) : 0);
   side_by_side(order.size(), plan.jobs, [&](std::size_t k) {
     Objective& objective = objectives[order[k]];
     objective.minimise(NLOPT_LN_SBPLX, objective.shares_of(best_of(objective).setting), plan.local_points);
