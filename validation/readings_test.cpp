@@ -85,9 +85,9 @@ TEST(RowMisfit, IsNothingWithinARange) {
   s.words = "high";
   s.holds = {{2.0, 4.0}};
   EXPECT_EQ(row_misfit(s, {{"a", 2.0}}), 0);
-  EXPECT_EQ(row_misfit(s, {{"a", 4.2}}), 0.5) << "a tenth of its width";
+  EXPECT_NEAR(row_misfit(s, {{"a", 4.2}}), 0.5, 1e-12) << "a tenth of its width";
   s.holds = {{2.0, infinity}};
-  EXPECT_EQ(row_misfit(s, {{"a", 1.8}}), 0.5) << "a tenth of its end";
+  EXPECT_NEAR(row_misfit(s, {{"a", 1.8}}), 0.5, 1e-12) << "a tenth of its end";
 }
 
 Json runs_of(double value) { return {{"a", value}}; }

@@ -44,8 +44,9 @@ TEST_F(Calibrate, LeavesAResultAndASceneThatRuns) {
 
 TEST_F(Calibrate, AnswersAWrongKeyInOneLineAndRunsNothing) {
   EXPECT_EQ(calibrate("--vary lattice[0].stifness=1:2 --out fitted"), 2);
-  EXPECT_NE(err().find("--vary lattice[0].stifness"), std::string::npos) << err();
-  EXPECT_EQ(std::count(err().begin(), err().end(), '\n'), 1) << err();
+  const std::string said = err();
+  EXPECT_NE(said.find("--vary lattice[0].stifness"), std::string::npos) << said;
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
   EXPECT_FALSE(has("fitted"));
 }
 

@@ -96,8 +96,13 @@ void add_curves(Report& report, const Calibration& c) {
   }
 }
 
-void add_known(Report& report, const Identified& found) {
+void add_known(Report& report, const Calibration& c) {
+  const Identified& found = c.identified;
   report.heading("How well each key is known");
+  if (c.best.front().fresh.misfit() > 2)
+    report.text(
+        "The best setting misses by more than twice the tolerances: the scene cannot follow what was measured, and "
+        "the intervals are those of its best compromise, not of the truth.");
   if (!found.why_not.empty()) report.text("No intervals: " + found.why_not + ".");
   std::vector<std::vector<Json>> rows;
   for (const Known& k : found.known)
@@ -155,7 +160,7 @@ Report report_of(const Calibration& c) {
   add_best(report, c);
   add_targets(report, c);
   add_curves(report, c);
-  add_known(report, c.identified);
+  add_known(report, c);
   add_effects(report, c);
   return report;
 }
