@@ -65,7 +65,7 @@ struct Patch {
 
   void gather() {
     furrow::interleave(x.data(), y.data(), vx.data(), vy.data(), rows.data(), 0, rows.size());
-    furrow::locate_pairs(*batch, {rows.data(), spin.data(), nullptr, 1, 0});
+    furrow::locate_pairs(*batch, {rows.data(), spin.data(), nullptr, 0.5, 1, 0});
     furrow::gather_springs(*batch, spring.data(), contacts);
   }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "output/files.h"
+#include "physics/damping.h"
 #include "scene/read.h"
 
 namespace furrow::benchmarks {

@@ -38,16 +38,22 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
   slots_.kernel = this;
   slots_.state = &y;
   slots_.spring = y.data() + layout_.first_spring;
+  slots_.width = layout_.slot_width;
   std::atomic<bool> changed = false;
   std::fill(block_returned_.begin(), block_returned_.end(), 0.0);
   slots_.relaxed = false;
   double& returned = block_returned_[0];
   if (parts_->keeps_ledger) returned = y[layout_.ledger_of(friction_work)];
+  std::fill(block_rolled_.begin(), block_rolled_.end(), 0.0);
+  double& rolled = block_rolled_[0];
+  if (parts_->keeps_ledger) rolled = y[layout_.ledger_of(rolling_work)];
   sum_rates(t, y, slots_, rates_, [&](const TouchBatch& c, int block) {
-    if (scatter_returned(c, slots_.spring)) changed = true;
+    if (parts_->options ? scatter_returned_slots(c, layout_, y) : scatter_returned(c, slots_.spring)) changed = true;
     if (watched_) survey_batch(c, block);
     if (!parts_->keeps_ledger) return;
+    if (parts_->rolling_spring) add_rolling_heat(c, *parts_, block_rolled_[block]);
     double& sum = block_returned_[block];
+    if (parts_->options) return add_sliding_heat(c, *parts_, sum);
     for (int k = 0; k < c.count; ++k)
       sum += 0.5 * c.shear_stiffness[k] * (c.held[k] * c.held[k] - c.spring[k] * c.spring[k]);
   });
@@ -57,6 +63,8 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
   }
   for (std::size_t k = 1; k < block_returned_.size(); ++k) returned += block_returned_[k];
   if (parts_->keeps_ledger) y[layout_.ledger_of(friction_work)] = returned;
+  for (std::size_t k = 1; k < block_rolled_.size(); ++k) rolled += block_rolled_[k];
+  if (parts_->keeps_ledger && parts_->rolling_spring) y[layout_.ledger_of(rolling_work)] = rolled;
   report.springs_changed = changed || slots_.relaxed;
 }
 
@@ -94,13 +102,13 @@ int Kernel::slot_followed(const Placement& now, const ContactId& pair) const {
 // which contact holds which slot does not depend on when room was made.
 void Kernel::grow_slots(int wanting) {
   const int count = wanting + layout_.spring_count / 2;
-  const Growth growth{static_cast<std::size_t>(count),
+  const Growth growth{static_cast<std::size_t>(count) * static_cast<std::size_t>(layout_.slot_width),
                       static_cast<std::size_t>(layout_.size() - layout_.first_dummy())};
   growth.apply(*slots_.state);
   growth.apply(rates_);
   slots_.spring = slots_.state->data() + layout_.first_spring;
   slots_.grown = {slots_.grown.count + growth.count, growth.before_end};
-  std::vector<int> more(growth.count);
+  std::vector<int> more(static_cast<std::size_t>(count));
   std::iota(more.rbegin(), more.rend(), layout_.spring_count);
   slots_.unused.insert(slots_.unused.begin(), more.begin(), more.end());
   layout_.spring_count += count;
@@ -143,7 +151,7 @@ void Kernel::find_border() {
 double Kernel::lattice_contact_energy(double t, const State& y) const {
   double energy = 0;
   for_each_contact(t, y, [&](const Contact& c) {
-    if (c.id.kind == disc_lattice) energy += stored_energy(c);
+    if (c.id.kind == disc_lattice) energy += stored_energy(*parts_, c);
   });
   return energy;
 }

@@ -35,9 +35,10 @@ Kernel::Kernel(const std::shared_ptr<const Parts>& parts, const Search& search)
   const int blocks = blocks_of(disc.count());
   block_powers_.resize(static_cast<std::size_t>(blocks));
   block_returned_.resize(static_cast<std::size_t>(blocks));
+  block_rolled_.resize(static_cast<std::size_t>(blocks));
   block_seen_.resize(static_cast<std::size_t>(blocks));
   disc_batch_.resize(static_cast<std::size_t>(threads_));
-  flat_batch_.touching.fill(1);  // it holds only contacts that touch
+  flat_batch_.touching.fill(1);  // as a rule it holds only contacts that touch
   wall_batch_.kind = disc_wall;
   if (alike_) wall_batch_.radius_a.fill(disc.radius[0]);
   for (TouchBatch& c : disc_batch_) {
@@ -68,8 +69,8 @@ void fill(Contact& one, const TouchBatch& c, int k) {
   one.vx = c.vx[k], one.vy = c.vy[k];
   one.spin_a = c.spin_a[k], one.spin_b = discs ? c.spin_b[k] : 0;
   const double approach = one.vx * one.nx + one.vy * one.ny;
-  one.touch = {c.overlap[k],        approach,         c.slip[k], c.spring[k], one.spin_a - one.spin_b,
-               c.reduced_radius[k], c.reduced_mass[k]};
+  one.touch = {c.overlap[k],        approach,          c.slip[k], c.spring[k],         one.spin_a - one.spin_b,
+               c.reduced_radius[k], c.reduced_mass[k], c.turn[k], c.rolling_inertia[k]};
   one.force = {c.elastic[k],   c.normal[k],          c.tangential[k],     c.moment[k],
                c.stiffness[k], c.shear_stiffness[k], c.shear_viscosity[k]};
   one.fx = c.fx[k], one.fy = c.fy[k];

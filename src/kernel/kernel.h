@@ -10,6 +10,7 @@
 
 #include "kernel/links.h"
 #include "kernel/loops.h"
+#include "kernel/options.h"
 #include "kernel/parallel.h"
 #include "kernel/search.h"
 #include "system/solver.h"
@@ -60,6 +61,7 @@ class Kernel final : public Solver {
     State* state = nullptr;                  // the one that is jumped
     Growth grown;                            // of it
     double* spring = nullptr;                // its springs
+    int width = 1;                           // numbers of a slot
     bool relaxed = false;
 
     void make_room(const Candidates& list, int first, int last) const;
@@ -110,6 +112,8 @@ class Kernel final : public Solver {
   template <class Slots>
   void fill_flat(ContactKind kind, int first, int last, double t, const State& y, Slots& slots) const;
   void gather_springs(TouchBatch& c, const State& y, int block) const;
+  void apply_law(TouchBatch& c, const ContactModel& model, Evaluation asked) const;
+  void scatter_rates(const TouchBatch& c, State& dydt) const;
   NearestOnSegment nearest_border(const Placement& now, int candidate, int& segment) const;
   void begin_rates(const State& y, State& dydt) const;
   void clear_loads(const DiscBlock& block) const;
@@ -145,6 +149,7 @@ class Kernel final : public Solver {
   JumpingSlots slots_;
   State rates_;                         // after a jump
   std::vector<double> block_returned_;  // J, freed by a jump, block by block
+  std::vector<double> block_rolled_;    // J, the same of rolling springs
   bool watched_ = false;
   Survey survey_;
   std::vector<ContactExtremes> block_seen_;
@@ -197,7 +202,7 @@ void Kernel::for_each_disc_batch(const State& y, Slots& slots, Purpose purpose, 
       if (purpose == Purpose::observation) c.keep_touching();
       if (c.count == 0) continue;
       gather_springs(c, y, number);
-      evaluate(c, model, {.returning = Slots::jumping, .all_fields = purpose != Purpose::rates});
+      apply_law(c, model, {.returning = Slots::jumping, .all_fields = purpose != Purpose::rates});
       if (blocks > 1) {
         for (int k = 0; k < c.count; ++k) c.load_of_b[k] = c.b[k] < block.last_disc ? c.b[k] : contribution++;
       }
@@ -221,7 +226,7 @@ void Kernel::for_each_flat_batch(double t, const State& y, Slots& slots, Purpose
       }
       if (c.count == 0) continue;
       gather_springs(c, y, 0);
-      evaluate(c, model_of(c), {.returning = Slots::jumping, .all_fields = purpose != Purpose::rates});
+      apply_law(c, model_of(c), {.returning = Slots::jumping, .all_fields = purpose != Purpose::rates});
       sink(static_cast<const TouchBatch&>(c));
     }
   }
@@ -245,10 +250,13 @@ void Kernel::follow_springs(double t, const State& y, Slots& slots, State& dydt)
     for (int k = 0; k < list.count(); ++k) {
       const int own = list.slot[k], leader = own < 0 ? -1 : slot_followed(now, {kind, list.a[k], list.b[k]});
       if (leader < 0) continue;
-      rate[own] = rate[leader];
-      if constexpr (Slots::jumping) {
-        slots.relaxed = slots.relaxed || slots.spring[own] != slots.spring[leader];
-        slots.spring[own] = slots.spring[leader];
+      for (int n = 0; n < layout_.slot_width; ++n) {
+        const int to = own * layout_.slot_width + n, from = leader * layout_.slot_width + n;
+        rate[to] = rate[from];
+        if constexpr (Slots::jumping) {
+          slots.relaxed = slots.relaxed || slots.spring[to] != slots.spring[from];
+          slots.spring[to] = slots.spring[from];
+        }
       }
     }
   }

@@ -24,7 +24,7 @@ template <int N>
 FURROW_WIDE void locate_pairs_lanes(TouchBatch& c, const DiscMotion& disc) {
   using Real = Reals<N>;
   const DiscMotion from = disc;
-  const double half = 0.5 * from.arm_shortening;
+  const double half = from.pair_shortening;
   const int count = c.count;
   const int *a = c.a, *b = c.b;
   for (int k = 0; k < count; k += N, a += N, b += N) {
@@ -85,7 +85,7 @@ FURROW_WIDE void locate_walls_lanes(TouchBatch& c, const DiscMotion& disc, const
     put(overlap, &c.overlap[k]);
     put(vx, &c.vx[k]);
     put(vy, &c.vy[k]);
-    put(radius - from.arm_shortening * overlap, &c.arm_a[k]);
+    put(radius - from.flat_shortening * overlap, &c.arm_a[k]);
   }
 }
 

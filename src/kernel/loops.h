@@ -20,10 +20,10 @@ struct alignas(32) DiscRow {
 // What the contacts of discs need to know of them.
 struct DiscMotion {
   const DiscRow* row;
-  const double* spin;     // rad/s; null: none
-  const double* radius;   // m; null: all are equal and stand in the batch
-  double arm_shortening;  // see Parts
-  double margin;          // m, see NeighbourSearch
+  const double* spin;                       // rad/s; null: none
+  const double* radius;                     // m; null: all are equal and stand in the batch
+  double pair_shortening, flat_shortening;  // -, of the moment arms, see Parts
+  double margin;                            // m, see NeighbourSearch
 };
 
 struct ContactModel {

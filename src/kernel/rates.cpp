@@ -27,6 +27,9 @@ void Kernel::begin_rates(const State& y, State& dydt) const {
   const auto rest = static_cast<std::size_t>(layout_.first_spring);
   copy_in_ranges(threads_, y.data() + speeds, speeds, dydt.data());
   fill_in_ranges(threads_, dydt.data() + rest, dydt.size() - rest, 0.0);
+  if (layout_.angles > 0)
+    std::copy_n(parts_->friction ? y.data() + layout_.spin_of(0) : parts_->disc.spin.data(), layout_.angles,
+                dydt.data() + layout_.angle_of(0));
   disc_load_.resize(static_cast<std::size_t>(parts_->disc.count() + search_.contributions));
   std::fill(block_powers_.begin(), block_powers_.end(), ContactPowers{});
   std::copy(parts_->node.load_x.begin(), parts_->node.load_x.end(), node_fx_.begin());
@@ -67,7 +70,7 @@ void Kernel::add_contacts(const TouchBatch& c, int block, double t, State& dydt)
       node_fy_[j] -= c.share[k] * c.fy[k];
     }
   }
-  if (parts_->friction) scatter_to_slots(c, c.slip, dydt.data() + layout_.first_spring);
+  if (parts_->friction) scatter_rates(c, dydt);
   if (parts_->keeps_ledger) add_to_ledger(c, block, t, dydt.data() + layout_.ledger_of(0));
 }
 
@@ -122,7 +125,10 @@ void Kernel::add_link_forces(double* work) const {
 }
 
 void Kernel::add_to_ledger(const TouchBatch& c, int block, double t, double* work) const {
-  add_powers(c, parts_->friction, block_powers_[block]);
+  if (parts_->options)
+    add_powers_with_options(c, *parts_, block_powers_[block]);
+  else
+    add_powers(c, parts_->friction, block_powers_[block]);
   if (c.kind != disc_plate && c.kind != node_plate) return;
   for (int k = 0; k < c.count; ++k) {
     const PlateAt at = plate_at(parts_->plate[c.b[k]], t, preparing_);

@@ -22,8 +22,10 @@ void find_deepest(const TouchBatch& c, ContactExtremes& seen) {
 
 void Kernel::survey_batch(const TouchBatch& c, int block) {
   ContactExtremes& seen = block_seen_[block];
-  if (c.kind != disc_disc && c.kind != disc_wall) {  // there are few, and all of them touch
-    for (int k = 0; k < c.count; ++k) survey_.see(*parts_, contact_of(c, k), seen);
+  if (c.kind != disc_disc && c.kind != disc_wall) {  // there are few
+    for (int k = 0; k < c.count; ++k) {
+      if (c.touching[k] != 0) survey_.see(*parts_, contact_of(c, k), seen);
+    }
     return;
   }
   const BatchExtremes batch = extremes(c);

@@ -56,19 +56,25 @@ void Kernel::JumpingSlots::update(Candidates& list, int candidate, bool near) {
   }
   slot = unused.back();
   unused.pop_back();
-  spring[slot] = 0;
+  std::fill_n(spring + slot * width, width, 0.0);
 }
 
-// The spring of an open contact is 0.
+// The springs of an open contact are 0.
 void Kernel::JumpingSlots::relax(int slot) {
   if (slot < 0) return;
-  relaxed = relaxed || spring[slot] != 0;
-  spring[slot] = 0;
+  for (double* number = spring + slot * width; number < spring + (slot + 1) * width; ++number) {
+    relaxed = relaxed || *number != 0;
+    *number = 0;
+  }
 }
 
 DiscMotion Kernel::motion(const State& y) const {
-  return {disc_row_.data(), parts_->friction ? y.data() + layout_.spin_of(0) : nullptr,
-          alike_ ? nullptr : parts_->disc.radius.data(), parts_->arm_shortening, search_.margin};
+  return {disc_row_.data(),
+          parts_->friction ? y.data() + layout_.spin_of(0) : nullptr,
+          alike_ ? nullptr : parts_->disc.radius.data(),
+          parts_->pair_arm_shortening,
+          parts_->flat_arm_shortening,
+          search_.margin};
 }
 
 // Prefetches the discs that the pairs of later batches need: the second discs of those pairs are scattered in memory.
@@ -98,8 +104,8 @@ void Kernel::assign_slots(const State& y, JumpingSlots& slots, State& dydt) cons
       for (int k = first; k < last; ++k) slots.update(list, k, false);
       fill_discs(c, y, first, last);
       gather_springs(c, y, static_cast<int>(block));
-      evaluate(c, model_of_pairs(), {.returning = false, .all_fields = false});
-      scatter_to_slots(c, c.slip, dydt.data() + layout_.first_spring);
+      apply_law(c, model_of_pairs(), {.returning = false, .all_fields = false});
+      scatter_rates(c, dydt);
     }
   }
 }
@@ -139,7 +145,18 @@ void Kernel::fill_walls(int first, int last, const State& y, Slots& slots) const
 
 void Kernel::gather_springs(TouchBatch& c, const State& y, int block) const {
   if (!parts_->friction) return;
+  if (parts_->options) return gather_slots(c, *parts_, layout_, y);
   furrow::gather_springs(c, y.data() + layout_.first_spring, dummy_of(block));
+}
+
+// In vectors, or contact by contact where some law has options that these do not carry.
+void Kernel::apply_law(TouchBatch& c, const ContactModel& model, Evaluation asked) const {
+  parts_->options ? evaluate_with_options(c, *parts_, asked.returning) : evaluate(c, model, asked);
+}
+
+void Kernel::scatter_rates(const TouchBatch& c, State& dydt) const {
+  if (parts_->options) return scatter_spring_rates(c, *parts_, layout_, dydt);
+  scatter_to_slots(c, c.slip, dydt.data() + layout_.first_spring);
 }
 
 // The nearest point on the candidate's segments; of two equally near points the one on the first segment.
@@ -207,7 +224,7 @@ void Kernel::put_flat(int candidate, const Facing& other, const State& y, int n)
   c.vy[n] = (disc ? y[layout_.vy_of(a)] : nodes_.vy[a]) - other.vy;
   c.spin_a[n] = disc && parts_->friction ? y[layout_.spin_of(a)] : 0;
   c.radius_a[n] = disc ? parts_->disc.radius[a] : 0;
-  c.arm_a[n] = disc ? c.radius_a[n] - parts_->arm_shortening * c.overlap[n] : 0;  // a node has no arm
+  c.arm_a[n] = disc ? c.radius_a[n] - parts_->flat_arm_shortening * c.overlap[n] : 0;  // a node has no arm
 }
 
 template <ContactKind kind, class Slots>
@@ -218,15 +235,24 @@ void Kernel::fill_flat_of(int first, int last, double t, const State& y, Slots& 
   c.kind = kind;
   c.use_own();
   c.count = 0;
+  if (parts_->options) c.touching.fill(1);
   const Placement now = placement(t, y);
   for (int k = first; k < last; ++k) {
     const Facing other = kind == disc_lattice ? facing_lattice(now, k, c.count)
                                               : facing_wall_or_plate(now, t, {kind, list.a[k], list.b[k]});
     if constexpr (Slots::jumping) slots.update(list, k, other.gap.gap < search_.margin);
-    if (other.gap.gap < 0)
+    if (other.gap.gap < 0) {
       put_flat<kind>(k, other, y, c.count++);
-    else if constexpr (Slots::jumping)
-      if (!of_plate(kind) || slot_followed(now, {kind, list.a[k], list.b[k]}) < 0) slots.relax(list.slot[k]);
+    } else if constexpr (Slots::jumping) {
+      if (of_plate(kind) && slot_followed(now, {kind, list.a[k], list.b[k]}) >= 0) continue;
+      if (parts_->options && list.slot[k] >= 0) {  // its springs may hold energy
+        c.touching[c.count] = 0;
+        if (kind == disc_lattice) c.segment[c.count] = 0, c.share[c.count] = 0;  // there may be none
+        put_flat<kind>(k, other, y, c.count++);
+      } else {
+        slots.relax(list.slot[k]);
+      }
+    }
   }
 }
 

@@ -42,6 +42,8 @@ struct TouchBatch {
   alignas(64) Lanes<double> elastic{}, normal{}, tangential{}, moment{};
   alignas(64) Lanes<double> stiffness{}, shear_stiffness{}, shear_viscosity{};
   alignas(64) Lanes<double> fx{}, fy{}, torque_a{}, torque_b{};
+  // Of laws with options, see kernel/options.h: rad, rad/s, m/s, kg m^2; 0 of others.
+  Lanes<double> turn{}, turn_held{}, turn_rate{}, spring_rate{}, rolling_inertia{};
 
   FURROW_WIDE int whole_lanes() const { return (count + lanes - 1) & -lanes; }  // of all vectors
 

@@ -77,11 +77,51 @@ Table discs_of(const System& system, double t, const State& y) {
               "Verts",
               {"points", {0, 1}},
               {{"radius [m]", {2}}, {"spin [rad/s]", {5}}, {"von Mises [Pa]", {6}}, {"velocity [m/s]", {3, 4}}}};
+  const Layout& at = system.layout();
+  if (at.angles > 0) {
+    table.headings.emplace_back("angle [rad]");
+    table.data.push_back({"angle [rad]", {7}});
+  }
   const std::vector<Stress> stress = disc_stresses(system, t, y);
   for (int i = 0; i < system.parts().disc.count(); ++i) {
-    table.add(y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], y[system.vx_of(i)],
-              y[system.vy_of(i)], system.spin(y, i), von_mises(stress[i]));
+    auto& row = table.add(y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], y[system.vx_of(i)],
+                          y[system.vy_of(i)], system.spin(y, i), von_mises(stress[i]));
+    if (at.angles > 0) row.push_back(number(y[at.angle_of(i)]));
   }
+  return table;
+}
+
+// The line of a contact: between the centres of two discs, else from the disc or node to the contact point. Force
+// chains are lines of a width that goes with their normal force.
+Table contacts_of(const System& system, double t, const State& y) {
+  Table table{{"kind", "a", "b", "x1 [m]", "y1 [m]", "x2 [m]", "y2 [m]", "overlap [m]", "normal force [N]",
+               "tangential force [N]", "slip [m/s]", "spring [m]", "moment [N m]"},
+              "Lines",
+              {"points", {3, 4, 5, 6}},
+              {{"overlap [m]", {7}},
+               {"normal force [N]", {8}},
+               {"tangential force [N]", {9}},
+               {"slip [m/s]", {10}},
+               {"spring [m]", {11}},
+               {"moment [N m]", {12}},
+               {"kind", {13}, "Int32"},
+               {"a", {1}, "Int32"},
+               {"b", {2}, "Int32"}}};
+  const Parts& parts = system.parts();
+  const NodeMotion node = system.nodes(t, y);
+  system.for_each_contact(t, y, [&](const Contact& c) {
+    const bool disc = of_disc(c.id.kind), pair = c.id.kind == disc_disc;
+    const double x = disc ? y[system.x_of(c.id.a)] : node.x[c.id.a];
+    const double x2 = pair ? y[system.x_of(c.id.b)] : 0, y2 = pair ? y[system.y_of(c.id.b)] : 0;
+    const double height = disc ? y[system.y_of(c.id.a)] : node.y[c.id.a];
+    const double length = (disc ? parts.disc.radius[c.id.a] : 0) - c.touch.overlap;
+    auto& row = table.rows.emplace_back(std::vector<std::string>{
+        contact_kind_names[c.id.kind], std::to_string(c.id.a), std::to_string(c.id.b), number(x), number(height),
+        number(pair ? x2 : x + length * c.nx), number(pair ? y2 : height + length * c.ny), number(c.touch.overlap),
+        number(c.force.normal), number(c.force.tangential), number(c.touch.slip), number(c.touch.spring),
+        number(c.force.moment)});
+    row.push_back(std::to_string(static_cast<int>(c.id.kind)));
+  });
   return table;
 }
 
@@ -142,6 +182,7 @@ void Frames::add(const System& system, double t, double displacement, const Stat
   write("discs", discs_of(system, t, y));
   write("links", links_of(system, t, y));
   write("plates", plates_of(system, t));
+  write("contacts", contacts_of(system, t, y));
   list_.row(static_cast<int>(count_++), t, displacement);
   list_.flush();
   pvd_.flush();
@@ -155,7 +196,7 @@ void Frames::close(bool complete) {
 std::vector<std::string> Frames::files(std::size_t frames) {
   std::vector<std::string> all{"run.pvd", "frames/frames.csv"};
   for (std::size_t k = 0; k < frames; ++k) {
-    for (const char* kind : {"discs", "links", "plates"}) {
+    for (const char* kind : {"discs", "links", "plates", "contacts"}) {
       for (const char* ending : {".csv", ".vtp"}) all.push_back("frames/" + name_of(kind, k) + ending);
     }
   }

@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 // Those that a run goes on with after so many frames.
 std::vector<std::string> lasting_files(const Scene& scene, std::size_t frames) {
   std::vector<std::string> files = Frames::files(frames);
-  for (const char* name : {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", checkpoint_name})
+  for (const char* name :
+       {"plate_force.csv", "wall_force.csv", "energy.csv", "motion.csv", "events.csv", checkpoint_name})
     files.emplace_back(name);
   if (drives_nodes(scene)) files.emplace_back("drive_force.csv");
   return files;

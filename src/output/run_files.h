@@ -27,7 +27,7 @@ struct RunOutcome {
   std::string json;    // what run.json says
 };
 
-// Writes plate_force.csv, energy.csv, motion.csv, events.csv, state.csv, scene.toml, frames/, run.pvd and run.json into
+// Writes plate_force.csv, wall_force.csv, energy.csv, motion.csv, events.csv, state.csv, scene.toml, frames/, run.pvd and run.json into
 // a directory of its own, see owned_directory.h: a run that is there is replaced, however it ended. What grows with an
 // interrupted run ends where it was stopped and keeps the ending .partial: the series, run.pvd and frames/frames.csv.
 // What is whole in itself has its name: each picture, state.csv as it was then, scene.toml, and run.json, which says

@@ -14,7 +14,7 @@ namespace {
 constexpr double flush_every = 0.05;
 
 double displacement(const PlatePart& plate, double t) {
-  return std::sqrt(plate.vx * plate.vx + plate.vy * plate.vy) * t;
+  return std::sqrt(plate.vx * plate.vx + plate.vy * plate.vy) * ramped(t, plate.ramp).time;
 }
 
 // Without a plate the time stands for nothing and this is 0.
@@ -32,6 +32,7 @@ bool drives_nodes(const Scene& scene) {
 void SeriesMemory::history(HistoryVisitor& visit) {
   visit("bytes of plate_force.csv", force_bytes);
   visit("bytes of drive_force.csv", drive_bytes);
+  visit("bytes of wall_force.csv", wall_bytes);
   visit("bytes of energy.csv", energy_bytes);
   visit("bytes of motion.csv", motion_bytes);
   visit("bytes of events.csv", events_bytes);
@@ -45,9 +46,12 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
       slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
       validity_(validity),
       plates_(labels(scene.plate)),
+      walls_(labels(scene.wall)),
       lattices_(labels(scene.lattice)),
       force_(OutputFile::begun(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]",
                                kept ? &kept->force_bytes : nullptr)),
+      wall_force_(OutputFile::begun(directory / "wall_force.csv", "t [s],wall,Fx [N],Fy [N],F [N]",
+                                    kept ? &kept->wall_bytes : nullptr)),
       energy_(OutputFile::begun(
           directory / "energy.csv",
           "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
@@ -73,7 +77,7 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
 
 SeriesMemory Series::memory() {
   flush();
-  return {force_.bytes(),  drive_ ? drive_->bytes() : 0,
+  return {force_.bytes(),  wall_force_.bytes(), drive_ ? drive_->bytes() : 0,
           energy_.bytes(), motion_.bytes(),
           events_.bytes(), frames_.memory(),
           rows_,           start_};
@@ -104,7 +108,7 @@ void Series::close(bool complete) {
 }
 
 std::vector<OutputFile*> Series::files() {
-  std::vector<OutputFile*> all{&force_, &energy_, &motion_, &events_};
+  std::vector<OutputFile*> all{&force_, &wall_force_, &energy_, &motion_, &events_};
   if (drive_) all.push_back(&*drive_);
   return all;
 }
@@ -115,7 +119,7 @@ void Series::add_drives(const System& system, double t, const std::vector<Force>
     const DrivePart& d = system.parts().drive[k];
     number = d.lattice == last ? number + 1 : 0;
     last = d.lattice;
-    drive_->row(t, lattices_[d.lattice], number, std::hypot(d.vx, d.vy) * ramped_time(t, d.ramp), forces[k].x,
+    drive_->row(t, lattices_[d.lattice], number, std::hypot(d.vx, d.vy) * ramped(t, d.ramp).time, forces[k].x,
                 forces[k].y, std::hypot(forces[k].x, forces[k].y));
   }
 }
@@ -128,6 +132,8 @@ void Series::add_rows(const System& system, double t, const State& y) {
     force_.row(t, plates_[k], displacement(system.parts().plate[k], t), f.x, f.y, std::hypot(f.x, f.y));
   }
   if (drive_) add_drives(system, t, seen.drive);
+  for (std::size_t k = 0; k < seen.wall.size(); ++k)
+    wall_force_.row(t, walls_[k], seen.wall[k].x, seen.wall[k].y, std::hypot(seen.wall[k].x, seen.wall[k].y));
   const Energies& e = seen.energy;
   if (system.keeps_ledger()) {
     energy_.row(t, e.kinetic, e.gravity, e.load, e.springs, e.contact_elastic, e.link_damping, e.contact_viscous,

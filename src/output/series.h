@@ -21,7 +21,7 @@ bool drives_nodes(const Scene& scene);
 
 // How far a series has come.
 struct SeriesMemory {
-  std::uint64_t force_bytes = 0, drive_bytes = 0, energy_bytes = 0, motion_bytes = 0, events_bytes = 0;
+  std::uint64_t force_bytes = 0, wall_bytes = 0, drive_bytes = 0, energy_bytes = 0, motion_bytes = 0, events_bytes = 0;
   Frames::Memory frames;
   long rows = 0;
   Energies start;
@@ -30,7 +30,7 @@ struct SeriesMemory {
 
 class Series {
  public:
-  // plate_force.csv, energy.csv, motion.csv, events.csv, frames/frames.csv and run.pvd of this scene, which must
+  // plate_force.csv, wall_force.csv, energy.csv, motion.csv, events.csv, frames/frames.csv and run.pvd of this scene, which must
   // outlive the series, in `directory`. They go on after what was kept, if there is anything. `validity` looks at the
   // energy of each row.
   Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity,
@@ -62,8 +62,8 @@ class Series {
   double flushed_ = 0;  // s, of the clock
   const double slack_;  // s
   Validity& validity_;
-  std::vector<std::string> plates_, lattices_;  // what rows call them
-  OutputFile force_, energy_, motion_, events_;
+  std::vector<std::string> plates_, walls_, lattices_;  // what rows call them
+  OutputFile force_, wall_force_, energy_, motion_, events_;
   std::unique_ptr<OutputFile> drive_;  // of a scene that drives nodes
   Frames frames_;
   Energies start_;

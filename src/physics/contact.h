@@ -27,6 +27,7 @@
 #include <cmath>
 
 #include "physics/constants.h"
+#include "physics/options.h"
 
 namespace furrow {
 
@@ -45,6 +46,7 @@ struct ContactLaw {
   double friction = 0;       // -, mu
   double rolling = 0;        // -, mu_r
   double floor = 0;          // N, least normal force: 0, or -infinity if the contact may pull
+  ContactOptions options{};  // what is not of this law
 };
 
 inline double compliance(const Elastic& e) { return e.rigid ? 0 : (1 - e.poisson * e.poisson) / e.young; }
@@ -66,16 +68,6 @@ inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, d
   return law;
 }
 
-// beta for a wanted restitution e in (0, 1]; exact if the contact may pull.
-inline double damping_factor(double restitution) {
-  const double log_e = std::log(restitution);
-  return -log_e / std::sqrt(log_e * log_e + pi * pi);
-}
-
-// beta from the coefficient alpha of Tsuji, Tanaka and Ishida, whose viscous force is alpha sqrt(m* K) d^(1/4) d' with
-// K = 4/3 E* sqrt(R*), the factor of d^(3/2) in Fe.
-inline double damping_factor_of_tsuji(double alpha) { return alpha / std::sqrt(5.0); }
-
 // One touching contact as the law sees it.
 struct Touch {
   double overlap;         // m, d >= 0
@@ -85,6 +77,9 @@ struct Touch {
   double spin;            // rad/s, omega_i - omega_j
   double reduced_radius;  // m, R*
   double reduced_mass;    // kg, m*
+  // Of a rolling spring alone, see physics/rolling_spring.h:
+  double turn = 0;             // rad, theta
+  double rolling_inertia = 0;  // kg m^2, Ir
 };
 
 struct TouchForce {
@@ -97,12 +92,17 @@ struct TouchForce {
   double shear_viscosity;  // N s/m, factor of vt in Ft
 };
 
-// The normal part of the law, and the tangential stiffness: what does not depend on slip, spring and spin.
-[[gnu::always_inline]] inline void press(const ContactLaw& law, const Touch& c, TouchForce& f) {
+// How stiff the contact is, and its elastic force.
+[[gnu::always_inline]] inline void stiffen(const ContactLaw& law, const Touch& c, TouchForce& f) {
   const double root = std::sqrt(c.reduced_radius * c.overlap);
   f.stiffness = 2 * law.modulus * root;
   f.shear_stiffness = 8 * law.shear_modulus * root;
   f.elastic = (2.0 / 3.0) * f.stiffness * c.overlap;
+}
+
+// The normal part of the law, and the tangential stiffness: what does not depend on slip, spring and spin.
+[[gnu::always_inline]] inline void press(const ContactLaw& law, const Touch& c, TouchForce& f) {
+  stiffen(law, c, f);
   const double viscosity = law.viscosity * std::sqrt(f.stiffness * c.reduced_mass);
   f.shear_viscosity = viscosity * law.shear_ratio;
 

@@ -1,25 +1,33 @@
-// What follows from the law of Hertz and Mindlin for a head-on impact: estimates, for advice on steps and for what is
-// watched in a run. No run's state depends on them.
+// What follows from the law of a contact for a head-on impact: estimates, for advice on steps and for what is watched
+// in a run. No run's state depends on them. Constant dashpots are left out: with them an impact goes less deep.
 #pragma once
 
 #include <cmath>
 
-#include "physics/contact.h"
+#include "physics/contact_force.h"
 
 namespace furrow {
 
+inline bool is_linear(const ContactLaw& law) { return law.options.force == ForceLaw::linear; }
+
+// -: beta, of the linear oscillator that an impact is like.
+inline double damping_ratio_of_impact(const ContactLaw& law) {
+  return is_linear(law) ? law.viscosity / 2 : law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+}
+
 // J: the work that presses two bodies to this overlap. Bodies that meet with more energy, m* v^2/2, go deeper.
 inline double elastic_energy(const ContactLaw& law, double reduced_radius, double overlap) {
+  if (is_linear(law)) return 0.5 * law.options.normal_stiffness * overlap * overlap;
   return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
 }
 
-// -: (d_damped / d_elastic)^(5/4) of the greatest overlaps of a head-on impact with and without damping. In d^(5/4)
+// -: (d_damped / d_elastic)^(5/4), of the linear law to the power of 1, of the greatest overlaps of a head-on impact with and without damping. In d^(5/4)
 // this law is a linear oscillator of damping ratio beta (Antypov and Elliott 2011, EPL 94, 50004), whose first peak is
 //
 //   exp(-beta/r atan(r/beta)),    r = sqrt(1 - beta^2)
 //   exp(-beta/r artanh(r/beta)),  r = sqrt(beta^2 - 1),  beyond beta = 1
 inline double impact_factor(const ContactLaw& law) {
-  const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+  const double beta = damping_ratio_of_impact(law);
   const double r = std::sqrt(std::fabs(1 - beta * beta));
   if (beta == 0) return 1;
   if (r < 1e-6) return std::exp(-1.0);
@@ -28,19 +36,24 @@ inline double impact_factor(const ContactLaw& law) {
 
 // m: how deep an elastic head-on impact goes.
 inline double impact_overlap(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
+  if (is_linear(law)) return speed * std::sqrt(reduced_mass / law.options.normal_stiffness);
   const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(reduced_radius);
   return std::pow(5 * reduced_mass * speed * speed / (4 * factor), 0.4);
 }
 
-// s: how long it lasts, 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10) d/v with its greatest overlap d.
-inline double impact_duration(double overlap, double speed) { return 2.943275184324047 * overlap / speed; }
+// s: how long it lasts, 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10) d/v with its greatest overlap d; of the linear law pi d/v.
+inline double impact_duration(const ContactLaw& law, double overlap, double speed) {
+  return (is_linear(law) ? pi : 2.943275184324047) * overlap / speed;
+}
 
 // rad/s: of the oscillator that an elastic impact is like, sqrt(Sn/m*) at its greatest overlap.
-inline double impact_frequency(double overlap, double speed) { return std::sqrt(15.0 / 8.0) * speed / overlap; }
+inline double impact_frequency(const ContactLaw& law, double overlap, double speed) {
+  return (is_linear(law) ? 1 : std::sqrt(15.0 / 8.0)) * speed / overlap;
+}
 
-// s^5: the fifth power of a contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5).
+// Of Hertz's law. s^5: the fifth power of a contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5).
 inline double time_scale_to_the_fifth(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
-  const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+  const double beta = damping_ratio_of_impact(law);
   const double damped = beta > 1 ? beta : 1;
   const double elastic = law.modulus * law.modulus * reduced_radius * speed;
   return reduced_mass * reduced_mass / (elastic * damped * damped * damped * damped);

@@ -1,15 +1,19 @@
-// A motion that reaches its speed v in the time T, at a constant acceleration.
+// A speed v that is reached in a time T from rest, so that a body that stands in contact does not hit at t = 0.
 //
-//   speed  v t/T,        v            from T on
-//   way    v t^2/(2 T),  v (t - T/2)  from T on
+//   x(t) = v t^2/(2 T),  x'(t) = v t/T    for t < T
+//   x(t) = v (t - T/2),  x'(t) = v        from T on; T = 0: from the start
 #pragma once
 
 namespace furrow {
 
-// -: of the speed. t, ramp: s; ramp = 0: at once.
-inline double ramped_share(double t, double ramp) { return t < ramp ? t / ramp : 1; }
+struct Ramped {
+  double time;   // s, x/v
+  double speed;  // -, x'/v
+};
 
-// s: the time in which the full speed goes as far.
-inline double ramped_time(double t, double ramp) { return t < ramp ? t * t / (2 * ramp) : t - 0.5 * ramp; }
+inline Ramped ramped(double t, double ramp) {
+  if (t < ramp) return {t * t / (2 * ramp), t / ramp};
+  return {t - 0.5 * ramp, 1};
+}
 
 }  // namespace furrow

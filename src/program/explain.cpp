@@ -8,6 +8,7 @@
 #include "methods/method.h"
 #include "physics/impact.h"
 #include "program/commands.h"
+#include "program/explain_law.h"
 #include "program/explain_line.h"
 #include "program/explain_stems.h"
 #include "program/explain_validity.h"
@@ -52,7 +53,13 @@ void print_modelled(const Scene& scene, const System& system) {
   if (parts.new_faces && parts.link.count() > 0)
     line("new faces", "the border of a lattice is found again after each tear");
   if (system.spring_count() > 0)
-    line("tangential springs", "room for %d contacts with friction", system.spring_count());
+    line(system.layout().slot_width > 1 ? "springs, rolling too" : "tangential springs",
+         "room for %d contacts with friction", system.spring_count());
+  if (scene.time.solver == SolverKind::kernel && parts.disc.count() + parts.node.count() > 0)
+    line("contacts evaluated", "%s",
+         parts.options ? "one by one, by the reference's law: its options are not in the vectors" : "in vectors");
+  if (parts.disc.count() + parts.node.count() > 0) print_options(scene, parts);
+  if (parts.keeps_angles) line("angles of discs", "one number each (output.angles)");
   if (system.threads() > 1) line("threads", "%d share a step; they change no bit", system.threads());
   if (system.keeps_ledger()) line("energy ledger", "%d numbers (output.energy = false saves them)", ledger_entries);
 }
@@ -62,7 +69,7 @@ void print_left_out(const Scene& scene, const System& system) {
   std::printf("\nleft out\n");
   if (!system.has_friction()) line("friction", "every friction coefficient is zero: no spins, no tangential springs");
   if (!system.has_friction()) print_spins(scene);
-  if (system.has_rolling() && parts.disc.count() > 0)
+  if (system.has_rolling() && !parts.rolling_spring && parts.disc.count() > 0)
     line("rest by rolling", "rolling friction is smoothed below %g rad/s: it slows, but holds nothing still",
          system.rolling_smoothing());
   if (system.has_friction() && !system.has_rolling() && parts.disc.count() > 0)
@@ -110,18 +117,11 @@ void print_contacts(const Scene& scene, const System& system) {
     for (int b = a; b < parts.materials; ++b) {
       const ContactLaw& law = parts.law[parts.law_of(a, b)];
       const std::string pair = scene.material[a].name + " - " + scene.material[b].name;
-      if (std::isinf(law.modulus)) {
+      if (std::isinf(law.modulus) && !is_linear(law)) {
         line(pair, "both rigid: they must not meet");
         continue;
       }
-      const double ratio = law.viscosity / 2;  // c / (2 sqrt(Sn m*)), at any overlap
-      line(pair, "E* = %.6g Pa, G* = %.6g Pa, friction %g, rolling %g", law.modulus, law.shear_modulus, law.friction,
-           law.rolling);
-      line("", "damping ratio %.4g at any overlap%s", ratio,
-           ratio > 1 ? ": beyond critical, a contact does not bounce but creeps back" : "");
-      const double beta = law.viscosity / (2 * std::sqrt(5.0 / 6.0));
-      line("", "that is damping_factor %.4g, tsuji_alpha %.4g, restitution %.4g", beta, std::sqrt(5.0) * beta,
-           beta < 1 ? std::exp(-pi * beta / std::sqrt(1 - beta * beta)) : 0);
+      print_law(pair, law);
     }
   }
 }
@@ -132,18 +132,18 @@ void print_smallest_disc(const Scene& scene, const Parts& parts) {
   if (disc.count() == 0) return;
   const auto least = std::min_element(disc.radius.begin(), disc.radius.end()) - disc.radius.begin();
   const ContactLaw& law = parts.law[parts.law_of(disc.material[least], disc.material[least])];
-  if (std::isinf(law.modulus)) return;
+  if (std::isinf(law.modulus) && !is_linear(law)) return;
   const double speed = characteristic_speed(scene);
   const double radius = disc.radius[least] / 2, mass = disc.mass[least] / 2;
   const double overlap = impact_overlap(law, radius, mass, speed);
-  TouchForce deepest{};
-  press(law, {overlap, 0, 0, 0, 0, radius, mass}, deepest);
+  const Touch touch{overlap, 0, 0, 0, 0, radius, mass};
+  const TouchForce deepest = contact_force(law, touch, parts.rolling_smoothing);
   line("smallest disc", "R = %g m, m = %.6g kg, I = %.6g kg m^2", disc.radius[least], disc.mass[least],
        disc.inertia[least]);
   line("two of them, elastic", "closing at %g m/s: overlap %.3g m (%.3g R), force %.4g N, contact time %.4g s", speed,
-       overlap, overlap / disc.radius[least], deepest.elastic, impact_duration(overlap, speed));
+       overlap, overlap / disc.radius[least], deepest.elastic, impact_duration(law, overlap, speed));
   line("critical damping", "at that overlap: %.4g N s/m; the scene has %.4g N s/m",
-       2 * std::sqrt(deepest.stiffness * mass), law.viscosity * std::sqrt(deepest.stiffness * mass));
+       2 * std::sqrt(deepest.stiffness * mass), normal_viscosity(law, touch, deepest));
 }
 
 void print_start(const Prepared& prepared) {

@@ -236,6 +236,7 @@ class Run:
 
     plate_force = property(lambda self: self.table("plate_force.csv"))
     drive_force = property(lambda self: self.table("drive_force.csv"))  # of a scene that drives nodes
+    wall_force = property(lambda self: self.table("wall_force.csv"))
     energy = property(lambda self: self.table("energy.csv"))
     motion = property(lambda self: self.table("motion.csv"))
     events = property(lambda self: self.table("events.csv"))

@@ -137,7 +137,7 @@ Body surface_b(const Moment& now, const ContactId& pair, const Proximity& near) 
 
 // m: to the contact point. Two discs share the overlap, so that their arms add up to the distance of the centres.
 double moment_arm(const Moment& now, const ContactId& pair, int disc, double overlap) {
-  const double share = pair.kind == disc_disc ? 0.5 * now.parts.arm_shortening : now.parts.arm_shortening;
+  const double share = pair.kind == disc_disc ? now.parts.pair_arm_shortening : now.parts.flat_arm_shortening;
   return now.parts.disc.radius[disc] - share * overlap;
 }
 
@@ -189,13 +189,21 @@ Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& ne
   c.touch.spin = c.spin_a - c.spin_b;                                                    // rad/s, w
   c.touch.reduced_radius = radius_of(parts, pair);                                       // m, R*
   c.touch.reduced_mass = mass_of(parts, pair, near);                                     // kg, m*
+  if (parts.rolling_spring) {
+    c.touch.turn = c.slot < 0 ? 0 : now.y[now.layout.turn_of(c.slot)];  // rad, theta
+    c.touch.rolling_inertia = rolling_inertia(parts, pair);             // kg m^2, Ir
+  }
 
-  c.force = hertz_mindlin(parts.law[c.law], c.touch, parts.rolling_smoothing);
+  c.force = contact_force(parts.law[c.law], c.touch, parts.rolling_smoothing);
   c.fx = -c.force.normal * c.nx - c.force.tangential * c.ny;  // N, on a; the tangent is (-ny, nx)
   c.fy = -c.force.normal * c.ny + c.force.tangential * c.nx;
   c.torque_a = c.arm_a * c.force.tangential + c.force.moment;  // N m
   if (pair.kind == disc_disc) c.torque_b = c.arm_b * c.force.tangential - c.force.moment;
   return c;
+}
+
+double energy_at_opening(const Moment& now, const ContactId& pair, double spring, double turn) {
+  return furrow::energy_at_opening(now.parts.law[law_of(now.parts, pair)], radius_of(now.parts, pair), spring, turn);
 }
 
 }  // namespace furrow::reference

@@ -29,6 +29,10 @@ struct Sums {
   double link_damping = 0;  // W
 };
 
+TouchPowers powers_of(const Moment& now, const Contact& c) {
+  return contact_powers(now.parts.law[c.law], c.touch, c.force);
+}
+
 // Pairs of discs, block by block; what they do to a disc of a later block is added after all blocks.
 void add_disc_pairs(const Moment& now, const std::vector<Contact>& contacts, Sums& sums) {
   std::vector<ContactPowers> block(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));
@@ -41,7 +45,7 @@ void add_disc_pairs(const Moment& now, const std::vector<Contact>& contacts, Sum
     } else {
       add(sums.disc[c.id.b], -c.fx, -c.fy, c.torque_b);
     }
-    block[block_of(c.id.a)].add(touch_powers(c.touch, c.force), now.parts.friction);
+    block[block_of(c.id.a)].add(powers_of(now, c), now.parts.friction);
   }
   for (const auto& [disc, load] : boundary) add(sums.disc[disc], load.fx, load.fy, load.torque);
   sums.powers = block[0];
@@ -57,7 +61,7 @@ void add_other_contacts(const Moment& now, const std::vector<Contact>& contacts,
       add(sums.node[now.parts.border.a[c.segment]], -i * c.fx, -i * c.fy, 0);
       add(sums.node[now.parts.border.b[c.segment]], -j * c.fx, -j * c.fy, 0);
     }
-    sums.powers.add(touch_powers(c.touch, c.force), now.parts.friction);
+    sums.powers.add(powers_of(now, c), now.parts.friction);
     if (of_plate(c.id.kind)) {
       const PlateAt at = plate_at(now.parts.plate[c.id.b], now.t, now.discrete.preparing);
       sums.plate_work += c.fx * at.vx + c.fy * at.vy;
@@ -161,12 +165,16 @@ void flow(const Moment& now, State& rates) {
   std::copy_n(now.y.begin() + at.vx_of(0), 2 * at.bodies, rates.begin());  // x' = v
   accelerate(now, sums, rates);
   for (const Contact& c : touching) {
-    if (c.slot >= 0) rates[at.spring_of(c.slot)] = c.touch.slip;  // xi' = vt
+    if (c.slot < 0) continue;
+    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch);             // xi' = vt
+    if (rolls_on_spring(parts.law[c.law])) rates[at.turn_of(c.slot)] = c.touch.spin;  // theta' = w
   }
   for (const DiscreteState::Held& held : now.discrete.held) {
     const int leader = slot_followed(now, held);
-    if (leader >= 0) rates[at.spring_of(held.slot)] = rates[at.spring_of(leader)];
+    if (leader >= 0) std::copy_n(&rates[at.spring_of(leader)], at.slot_width, &rates[at.spring_of(held.slot)]);
   }
+  for (int i = 0; i < at.angles; ++i)
+    rates[at.angle_of(i)] = parts.friction ? now.y[at.spin_of(i)] : parts.disc.spin[i];
   if (parts.keeps_ledger) book(at, sums, rates);
 }
 

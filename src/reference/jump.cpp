@@ -49,15 +49,16 @@ class Slots {
     if (discrete_.unused.empty()) grow();
     const int slot = discrete_.unused.back();
     discrete_.unused.pop_back();
-    y_[layout_.spring_of(slot)] = 0;
+    std::fill_n(y_.begin() + layout_.spring_of(slot), layout_.slot_width, 0.0);
     return slot;
   }
 
   // One more, after all others.
   void grow() {
-    const Growth one{1, static_cast<std::size_t>(layout_.size() - layout_.first_dummy())};
+    const Growth one{static_cast<std::size_t>(layout_.slot_width),
+                     static_cast<std::size_t>(layout_.size() - layout_.first_dummy())};
     one.apply(y_);
-    grown_ = {grown_.count + 1, one.before_end};
+    grown_ = {grown_.count + one.count, one.before_end};
     discrete_.unused.push_back(layout_.spring_count++);
   }
 
@@ -74,36 +75,64 @@ bool follow_springs(const Moment& now, State& y) {
   for (const DiscreteState::Held& held : now.discrete.held) {
     const int leader = slot_followed(now, held);
     if (leader < 0) continue;
-    double& spring = y[now.layout.spring_of(held.slot)];
-    changed = changed || spring != y[now.layout.spring_of(leader)];
-    spring = y[now.layout.spring_of(leader)];
+    for (int k = 0; k < now.layout.slot_width; ++k) {
+      double& number = y[now.layout.spring_of(held.slot) + k];
+      changed = changed || number != y[now.layout.spring_of(leader) + k];
+      number = y[now.layout.spring_of(leader) + k];
+    }
   }
   return changed;
 }
 
-// |xi| <= mu Fn / St; the energy that this frees is heat of friction. Without a touch a spring holds nothing.
+// J: the heat of an entry of the ledger, block by block; the first begins with what is there.
+class Heat {
+ public:
+  Heat(const Moment& now, Ledger entry) : of_block_(static_cast<std::size_t>(blocks_of(now.parts.disc.count()))) {
+    if (now.parts.keeps_ledger) of_block_[0] = now.y[now.layout.ledger_of(entry)];
+  }
+  void add(const ContactId& pair, double heat) { of_block_[pair.kind == disc_disc ? block_of(pair.a) : 0] += heat; }
+  double sum() const {
+    double all = of_block_[0];
+    for (std::size_t k = 1; k < of_block_.size(); ++k) all += of_block_[k];
+    return all;
+  }
+
+ private:
+  std::vector<double> of_block_;
+};
+
+// |xi| <= mu Fn / St, |theta| <= mu_r R* Fn / kr; the energy that this frees is heat of friction and of rolling. Without
+// a touch a spring holds nothing: what it held is heat of friction.
 bool return_springs(const Moment& now, State& y) {
-  std::vector<double> freed(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));  // J, block by block
-  if (now.parts.keeps_ledger) freed[0] = y[now.layout.ledger_of(friction_work)];
+  Heat sliding(now, friction_work), rolling(now, rolling_work);
   bool changed = false;
+  const auto set = [&](double& number, double value) {
+    changed = changed || value != number;
+    number = value;
+  };
   for (const DiscreteState::Held& held : now.discrete.held) {
     const ContactId pair{static_cast<ContactKind>(held.kind), held.a, held.b};
     double& spring = y[now.layout.spring_of(held.slot)];
-    const double before = spring;
+    double* turn = now.parts.rolling_spring ? &y[now.layout.turn_of(held.slot)] : nullptr;
     const Proximity near = proximity(now, pair);
-    if (near.touching) {
-      const Contact c = contact_of(now, pair, near);
-      const ContactLaw& law = now.parts.law[c.law];
-      spring = returned_spring(coulomb_limit(law, c.force), c.force, before);
-      freed[pair.kind == disc_disc ? block_of(pair.a) : 0] +=
-          0.5 * c.force.shear_stiffness * (before * before - spring * spring);
-    } else if (slot_followed(now, held) < 0) {
-      spring = 0;
+    if (!near.touching) {
+      if (slot_followed(now, held) >= 0) continue;
+      sliding.add(pair, energy_at_opening(now, pair, spring, turn ? *turn : 0));
+      set(spring, 0);
+      if (turn) set(*turn, 0);
+      continue;
     }
-    changed = changed || spring != before;
+    const Contact c = contact_of(now, pair, near);
+    const ContactLaw& law = now.parts.law[c.law];
+    const double before = spring;
+    set(spring, spring_after_step(law, c.touch, c.force));
+    sliding.add(pair, 0.5 * c.force.shear_stiffness * (before * before - spring * spring));
+    if (!turn || !rolls_on_spring(law)) continue;
+    set(*turn, turn_after_step(law, c.touch, c.force));
+    rolling.add(pair, 0.5 * rolling_stiffness(law, c.touch, c.force) * (c.touch.turn * c.touch.turn - *turn * *turn));
   }
-  for (std::size_t k = 1; k < freed.size(); ++k) freed[0] += freed[k];
-  if (now.parts.keeps_ledger) y[now.layout.ledger_of(friction_work)] = freed[0];
+  if (now.parts.keeps_ledger) y[now.layout.ledger_of(friction_work)] = sliding.sum();
+  if (now.parts.keeps_ledger && now.parts.rolling_spring) y[now.layout.ledger_of(rolling_work)] = rolling.sum();
   return follow_springs(now, y) || changed;
 }
 
@@ -123,7 +152,7 @@ HeldFaces faces_after(const Moment& now) {
 double energy_on_lattices(const Moment& now) {
   double energy = 0;
   for (const Contact& c : contacts(now)) {
-    if (c.id.kind == disc_lattice) energy += stored_energy(c);
+    if (c.id.kind == disc_lattice) energy += stored_energy(now.parts, c);
   }
   return energy;
 }

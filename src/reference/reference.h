@@ -1,9 +1,10 @@
 // The reference solver: flow and jump of a scene, every pair, contact after contact, as MODEL.md has it. It is there to
 // be read and to judge the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
 //
-// Read physics/contact.h (the law), system/contact.h (which radius, mass, arm and normal), system/discrete.h (the life
-// of a tangential spring), system/held_faces.h (which face of a plate a body keeps), system/border.h (what of a torn
-// lattice discs touch), system/layout.h (the state and the balance of energy), system/order.h (the order of sums), then
+// Read physics/contact.h (the law; its options: physics/contact_force.h), system/contact.h (which radius, mass, arm and
+// normal), system/discrete.h (the life of a tangential spring), system/held_faces.h (which face of a plate a body
+// keeps), system/border.h (what of a torn lattice discs touch), system/layout.h (the state and the balance of energy),
+// system/order.h (the order of sums), then
 //
 //   contact.cpp   one contact: where two parts touch, how they move there, and what the law answers
 //   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger
@@ -54,6 +55,9 @@ Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& ne
 
 // The slot whose spring that of this contact follows, because another plate feels the body; -1: none.
 int slot_followed(const Moment& now, const DiscreteState::Held& held);
+
+// J: what the springs of a pair that touches no more still hold.
+double energy_at_opening(const Moment& now, const ContactId& pair, double spring, double turn);
 
 // Every pair that there can be, in the order of the sums: see system/order.h.
 void for_each_pair(const Parts& parts, const std::function<void(const ContactId&)>& for_pair);

@@ -23,7 +23,8 @@ constexpr double width_of_springs = 1e-9;     // m
 std::vector<int> slots_in_use(const System& system, double t, const State& y) {
   std::vector<int> used;
   system.for_each_contact(t, y, [&](const Contact& c) {
-    if (c.slot >= 0) used.push_back(system.first_spring() + c.slot);
+    for (int k = 0; c.slot >= 0 && k < system.layout().slot_width; ++k)
+      used.push_back(system.layout().spring_of(c.slot) + k);
   });
   std::sort(used.begin(), used.end());
   return used;

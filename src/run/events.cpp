@@ -244,6 +244,7 @@ void EventSteps::grade_touches(double t, const State& y, const Regime& before) {
         std::any_of(before.pushing.begin(), before.pushing.end(), [&](const auto& o) { return same_pair(one, o); }))
       return;
     const ContactLaw& law = system_.parts().law[c.law];
+    if (is_linear(law)) return;  // its forces are no fractional powers of the time
     memory_.grades.push_back({t, time_scale(law, c.touch), law.viscosity > 0 ? 4 : 2});
   });
 }

@@ -102,19 +102,21 @@ Observation observe(const System& system, double t, const State& y) {
   const Parts& parts = system.parts();
   seen.plate.resize(parts.plate.size());
   DriveForces drives(parts, seen.drive);
+  seen.wall.resize(parts.wall.size());
   ContactId deepest;
   system.for_each_contact(t, y, [&](const Contact& c) {
     ++seen.contacts;
-    seen.energy.contact_elastic += stored_energy(c);
+    seen.energy.contact_elastic += stored_energy(parts, c);
     const double size = of_disc(c.id.kind) ? parts.disc.radius[c.id.a] : parts.node.contact_radius[c.id.a];
     if (c.touch.overlap / size > seen.overlap.relative) {
       seen.overlap = {c.touch.overlap, c.touch.overlap / size, {}};
       deepest = c.id;
     }
     if (!seen.drive.empty()) drives.add(c);
-    if (!of_plate(c.id.kind)) return;
-    seen.plate[c.id.b].x -= c.fx;
-    seen.plate[c.id.b].y -= c.fy;
+    if (!of_plate(c.id.kind) && !of_wall(c.id.kind)) return;
+    Force& on = of_wall(c.id.kind) ? seen.wall[c.id.b] : seen.plate[c.id.b];
+    on.x -= c.fx;
+    on.y -= c.fy;
   });
   seen.overlap.between = contact_name(parts, deepest);
   add_motion(system, y, seen);

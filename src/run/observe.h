@@ -41,9 +41,9 @@ struct Overlap {
 };
 
 struct Observation {
-  std::vector<Force> plate;  // on each plate
-  std::vector<Force> drive;  // on the nodes of each drive, from links and contacts
-  Energies energy;           // without a ledger only the stored ones
+  std::vector<Force> plate, wall;  // on each
+  std::vector<Force> drive;        // on the nodes of each drive, from links and contacts
+  Energies energy;                 // without a ledger only the stored ones
   Momentum momentum;
   Overlap overlap;  // the greatest relative one
   int contacts = 0;

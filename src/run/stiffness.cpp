@@ -33,7 +33,7 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
   const Parts& parts = system.parts();
   system.for_each_contact(t, y, [&](const Contact& c) {
     const ContactLaw& law = parts.law[c.law];
-    const double viscosity = law.viscosity * std::sqrt(c.force.stiffness * c.touch.reduced_mass);
+    const double viscosity = normal_viscosity(law, c.touch, c.force);
     const double shear = law.friction > 0 ? 1 : 0;
     const auto add = [&](int body, double mass, double inertia, double arm) {
       const double root = std::sqrt(mass);
@@ -44,7 +44,11 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
                      shear * c.force.shear_stiffness * tangent * tangent.transpose();
       b.damping +=
           viscosity * normal * normal.transpose() + shear * c.force.shear_viscosity * tangent * tangent.transpose();
-      if (inertia > 0) {
+      if (inertia > 0 && rolls_on_spring(law)) {
+        const double kr = rolling_stiffness(law, c.touch, c.force);
+        b.stiffness(2, 2) += kr / inertia;
+        b.damping(2, 2) += 2 * law.options.rolling_damping * std::sqrt(c.touch.rolling_inertia * kr) / inertia;
+      } else if (inertia > 0) {
         b.damping(2, 2) += law.rolling * c.touch.reduced_radius * std::max(c.force.normal, 0.0) /
                            (system.rolling_smoothing() * inertia);
       }
@@ -129,7 +133,7 @@ StiffPart stiffest_bond(const System& system, double t, const State& y, int body
   };
   system.for_each_contact(t, y, [&](const Contact& c) {
     const int a = of_disc(c.id.kind) ? c.id.a : parts.node.body[c.id.a];
-    const double viscosity = parts.law[c.law].viscosity * std::sqrt(c.force.stiffness * c.touch.reduced_mass);
+    const double viscosity = normal_viscosity(parts.law[c.law], c.touch, c.force);
     take(c.force.stiffness, viscosity, c.touch.reduced_mass, a == body || (c.id.kind == disc_disc && c.id.b == body),
          [&] { return "the contact of " + contact_name(system.parts(), c.id); });
   });
@@ -175,7 +179,8 @@ Oscillator stiffest_impact(const Parts& parts, double speed) {
   const auto meet = [&](int a, int b, double radius, double mass) {
     const ContactLaw& law = parts.law[parts.law_of(a, b)];
     const double overlap = impact_overlap(law, radius, mass, speed);
-    const Oscillator o{impact_frequency(overlap, speed), law.viscosity / 2};
+    const double omega = impact_frequency(law, overlap, speed);
+    const Oscillator o{omega, law.viscosity / 2 + law.options.dashpot / (2 * mass * omega)};
     if (std::isfinite(o.omega) && fastest_rate(o) > fastest_rate(stiffest)) stiffest = o;
   };
   const auto meet_flat = [&](const Striker& s) {

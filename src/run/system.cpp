@@ -63,7 +63,7 @@ std::string System::velocity_dependence() const {
     if (depends) what += (what.empty() ? "" : ", ") + name;
   };
   const bool touchable = p.disc.count() > 0 || !p.wall.empty() || !p.plate.empty();
-  const auto damped = [](const ContactLaw& law) { return law.viscosity > 0; };
+  const auto damped = [](const ContactLaw& law) { return law.viscosity > 0 || law.options.dashpot > 0; };
   add(touchable && std::any_of(p.law.begin(), p.law.end(), damped), "damping of contacts");
   add(touchable && p.friction, "friction of contacts");
   for (std::size_t k = 0; k < p.lattice.size(); ++k) {
@@ -80,7 +80,7 @@ std::uint64_t System::state_hash(const State& y) const {
   Fnv1a hash;
   const int springs = layout().first_spring;
   for (int k = 0; k < springs; ++k) hash.add_word(std::bit_cast<std::uint64_t>(y[k]));
-  for (int k = 0; k < layout().spring_count; ++k) {  // how much room there is for more does not count
+  for (int k = 0; k < layout().first_dummy() - springs; ++k) {  // how much room there is for more does not count
     if (y[springs + k] == 0) continue;
     hash.add_word(static_cast<std::uint64_t>(k));
     hash.add_word(std::bit_cast<std::uint64_t>(y[springs + k]));

@@ -14,6 +14,22 @@ namespace {
 
 constexpr int threaded_discs = 4096;  // a smaller bed is no work for two threads
 
+// Of [contact] or of a pair: what no option of [model] asks for.
+void judge_contact(const std::string& path, const auto& c, const Model& model, Findings& found) {
+  const auto idle = [&](const std::optional<double>& given, bool used, const char* key, const char* why) {
+    if (given && !used) found.warning(path + key, std::string("has no effect: ") + why);
+  };
+  const bool linear = model.law == ForceLaw::linear, spring = model.rolling == Rolling::spring;
+  idle(c.normal_stiffness, linear, ".normal_stiffness", "model.law is not linear");
+  idle(c.tangential_stiffness, linear, ".tangential_stiffness", "model.law is not linear");
+  idle(c.tangential_damping, model.slip_damping, ".tangential_damping", "model.slip_damping is false");
+  idle(c.rolling_stiffness, spring, ".rolling_stiffness", "model.rolling is not spring");
+  idle(c.rolling_damping, spring, ".rolling_damping", "model.rolling is not spring");
+  const std::optional<double> rolling = c.rolling_friction;
+  if (rolling.value_or(0) > 0)
+    idle(rolling, model.rolling != Rolling::none, ".rolling_friction", "model.rolling is none");
+}
+
 void judge_keys(const Scene& s, Findings& found) {
   const Scene defaults;
   double discs = static_cast<double>(s.disc.size());
@@ -32,6 +48,12 @@ void judge_keys(const Scene& s, Findings& found) {
   for (const ContactPair& p : s.contact.pair) rolls = rolls || p.rolling_friction.value_or(0) > 0;
   idle(s.model.rolling_smoothing != defaults.model.rolling_smoothing, !rolls, "model.rolling_smoothing",
        "nothing has rolling friction");
+  idle(s.model.rolling_smoothing != defaults.model.rolling_smoothing, rolls && s.model.rolling != Rolling::smoothed,
+       "model.rolling_smoothing", "model.rolling is not smoothed");
+  idle(s.output.angles, discs == 0, "output.angles", "there are no discs");
+  judge_contact("contact", s.contact, s.model, found);
+  for (std::size_t i = 0; i < s.contact.pair.size(); ++i)
+    judge_contact(item("contact.pair", i), s.contact.pair[i], s.model, found);
 }
 
 void judge_materials(const Scene& s, Findings& found) {

@@ -82,6 +82,7 @@ class Findings {
 void judge_ranges(const Scene& scene, Findings& found);    // every number within the range of its key, every text clean
 void judge_whole(const Scene& scene, Findings& found);     // keys that contradict each other, names of nothing
 void judge_lattices(const Scene& scene, Findings& found);  // the same of lattices: rows, nodes, links, drives, stems
+void judge_damping(const Scene& scene, Findings& found);   // given in one way, and what the linear law needs
 void judge_sizes(const Scene& scene, Findings& found);     // counts and bytes within their limits
 void judge_numbers(const Scene& scene, Findings& found);   // what is derived from the numbers is finite and positive
 void judge_start(const Scene& scene, Findings& found);     // where the parts stand at t = 0

@@ -82,8 +82,14 @@ class NumberJudge {
   }
 
   void judge_damping(const std::string& path, const auto& given) {
-    for (const auto& [key, factor] :
-         {std::pair{".damping_factor", given.damping_factor}, {".tsuji_alpha", given.tsuji_alpha}})
+    for (const auto& [key, factor] : {std::pair{".damping_factor", given.damping_factor},
+                                      {".tsuji_alpha", given.tsuji_alpha},
+                                      {".damping", given.damping},
+                                      {".tangential_damping", given.tangential_damping},
+                                      {".normal_stiffness", given.normal_stiffness},
+                                      {".tangential_stiffness", given.tangential_stiffness},
+                                      {".rolling_stiffness", given.rolling_stiffness},
+                                      {".rolling_damping", given.rolling_damping}})
       if (factor && !std::isfinite(4 * *factor * *factor)) found_.error(path + key, wrong("its square", INFINITY));
   }
 

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "physics/constants.h"
+#include "physics/options.h"
 #include "physics/vec2.h"
 
 namespace furrow {
 
-enum class DiscMass { disc, sphere };            // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
-enum class MomentArm { contact_point, radius };  // of the contact force: to the contact point, or the whole radius
+enum class DiscMass { disc, sphere };  // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
+// Of the contact force: to the contact point, half the overlap short of the surface, or the whole radius.
+enum class MomentArm { contact_point, half_overlap, radius };
 enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
 enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
 // The fast solver, or the one made to be read: the same bits, at least ten times slower, and more so in larger beds.
@@ -27,6 +29,10 @@ struct Model {
   DiscMass disc_mass = DiscMass::disc;
   double disc_depth = 1;  // m, b in the disc reading of the mass
   MomentArm moment_arm = MomentArm::contact_point;
+  ForceLaw law = ForceLaw::hertz_mindlin;
+  bool slip_damping = true;  // the tangential force is damped too
+  AfterSlip after_slip = AfterSlip::elastic;
+  Rolling rolling = Rolling::smoothed;
   bool pull = false;                   // a contact's viscous force may exceed the elastic one and pull
   std::optional<bool> tight_plates{};  // bodies keep the face of a plate that they met; left out: no
   std::optional<bool> new_faces{};     // a torn lattice has new ones; left out: no
@@ -62,20 +68,35 @@ struct Material {
 
 // Contact parameters of one pair of materials; what is not given is taken from the scene's [contact].
 struct ContactPair {
-  std::vector<std::string> materials{};      // the two names; may be equal
-  std::optional<double> damping_factor{};    // beta, -
-  std::optional<double> restitution{};       // -, another way to give beta
-  std::optional<double> tsuji_alpha{};       // -, a third
-  std::optional<double> friction{};          // mu, -
-  std::optional<double> rolling_friction{};  // mu_r, -
+  std::vector<std::string> materials{};          // the two names; may be equal
+  std::optional<double> damping_factor{};        // beta, -
+  std::optional<double> restitution{};           // -, another way to give beta
+  std::optional<double> tsuji_alpha{};           // -, a third
+  std::optional<double> damping{};               // N s/m, in place of beta
+  std::optional<double> tangential_damping{};    // N s/m; left out: `damping`
+  std::optional<double> friction{};              // mu, -
+  std::optional<double> rolling_friction{};      // mu_r, -
+  std::optional<double> normal_stiffness{};      // N/m, of the linear law
+  std::optional<double> tangential_stiffness{};  // N/m, of the linear law
+  std::optional<double> rolling_stiffness{};     // N m, of a rolling spring
+  std::optional<double> rolling_damping{};       // -, of a rolling spring
 };
 
+// Of critical damping, eta_r of a rolling spring that says nothing else.
+inline constexpr double default_rolling_damping = 0.3;
+
 struct ContactParameters {
-  std::optional<double> damping_factor{};  // beta, -
-  std::optional<double> restitution{};     // -
-  std::optional<double> tsuji_alpha{};     // -, the coefficient of Tsuji's damping, sqrt(5) beta
-  double friction = 0;                     // mu, -
-  double rolling_friction = 0;             // mu_r, -
+  std::optional<double> damping_factor{};        // beta, -
+  std::optional<double> restitution{};           // -
+  std::optional<double> tsuji_alpha{};           // -, the coefficient of Tsuji's damping, sqrt(5) beta
+  std::optional<double> damping{};               // N s/m
+  std::optional<double> tangential_damping{};    // N s/m
+  double friction = 0;                           // mu, -
+  double rolling_friction = 0;                   // mu_r, -
+  std::optional<double> normal_stiffness{};      // N/m
+  std::optional<double> tangential_stiffness{};  // N/m
+  std::optional<double> rolling_stiffness{};     // N m
+  std::optional<double> rolling_damping{};       // -
   std::vector<ContactPair> pair{};
 };
 
@@ -126,6 +147,7 @@ struct Plate {
   double width = 0.01;                    // m
   double height = 0.1;                    // m
   Vec2 velocity{};                        // m/s
+  double ramp = 0;                        // s, in which it reaches its velocity
   std::string material{};
 };
 
@@ -206,9 +228,10 @@ struct Lattice {
 };
 
 struct Output {
-  double interval = 1e-3;              // s, between rows of plate_force.csv and energy.csv
+  double interval = 1e-3;              // s, between rows of plate_force.csv, energy.csv and their like
   std::vector<double> frames{};        // s, times of the pictures
   bool energy = true;                  // keep the energy ledger
+  bool angles = false;                 // keep how far each disc has turned, for the frames
   std::optional<double> checkpoint{};  // s, between checkpoints; left out: only at the start and at the end
 };
 

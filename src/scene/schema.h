@@ -22,8 +22,25 @@ void describe(auto& v, Model& m) {
     {"m", positive, "0.5", "Length b of the cylinders; without effect where disc_mass is sphere."});
   v.choice("moment_arm", m.moment_arm,
            {{"contact_point", MomentArm::contact_point, "to the contact point, between the two surfaces"},
+            {"half_overlap", MomentArm::half_overlap, "R - d/2, on walls too, as in LIGGGHTS"},
             {"radius", MomentArm::radius, "the whole radius"}},
            "Moment arm of the tangential force.");
+  v.choice("law", m.law,
+           {{"hertz_mindlin", ForceLaw::hertz_mindlin, "Hertz's normal force, Mindlin's tangential stiffness"},
+            {"rescaled_mindlin", ForceLaw::rescaled_mindlin,
+             "the same, and the tangential force shrinks with the contact as it unloads (Thornton)"},
+            {"linear", ForceLaw::linear, "springs of constant stiffness (Cundall and Strack)"}},
+           "The law of contact forces.");
+  v("slip_damping", m.slip_damping, plain("false", "Whether the tangential force of a contact is damped too."));
+  v.choice("after_slip", m.after_slip,
+           {{"elastic", AfterSlip::elastic, "the Coulomb limit"},
+            {"less_viscous", AfterSlip::less_viscous, "the Coulomb limit less the viscous force, as in LAMMPS"}},
+           "What a tangential spring holds after it has slipped.");
+  v.choice("rolling", m.rolling,
+           {{"smoothed", Rolling::smoothed, "a moment that fades below rolling_smoothing: it slows, but holds nothing"},
+            {"spring", Rolling::spring, "a spring up to the limit (Ai et al. 2011, type C): discs can rest on a slope"},
+            {"none", Rolling::none, "no moment, whatever rolling_friction says"}},
+           "How rolling is resisted.");
   v("pull", m.pull,
     plain("true", "Whether the viscous force of a contact may exceed the elastic one, so that the contact pulls."));
   v("tight_plates", m.tight_plates,
@@ -84,10 +101,12 @@ void describe(auto& v, Settle& s) {
 
 void describe(auto& v, Output& o) {
   v("interval", o.interval,
-    {"s", positive, "0.01", "Time between rows of plate_force.csv, energy.csv and motion.csv; at least time.step."});
+    {"s", positive, "0.01",
+     "Time between rows of plate_force.csv, wall_force.csv, energy.csv and motion.csv; at least time.step."});
   v("frames", o.frames,
     {"s", not_negative, "[0.0, 0.5]", "Times of the pictures in frames/, each later than the one before it."});
   v("energy", o.energy, plain("false", "Whether the energy ledger is kept and watched."));
+  v("angles", o.angles, plain("true", "Whether frames tell how far each disc has turned: one more number a disc."));
   v("checkpoint", o.checkpoint,
     {"s", positive, "0.1",
      "Model time between checkpoints, from which a run can be resumed. Left out: at the start and at the end."});

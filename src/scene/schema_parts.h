@@ -22,15 +22,18 @@ void describe_coefficients(auto& v, auto& c, bool of_pair) {
   const auto text = [&](std::string_view all, std::string_view pair) { return of_pair ? pair : all; };
   v("damping_factor", c.damping_factor,
     {"-", not_negative, "0.3",
-     text("beta of the viscous force. Give this, restitution or tsuji_alpha. Left out, all of them: no damping.",
-          "beta of the viscous force. Give this, restitution or tsuji_alpha. Left out, all of them: as [contact] has "
-          "it.")});
+     text("beta of the viscous force. Give this, restitution, tsuji_alpha or damping. Left out, all four: no damping.",
+          "beta of the viscous force. Give this, restitution, tsuji_alpha or damping. Left out, all four: as in "
+          "[contact].")});
   v("restitution", c.restitution,
     {"-", Range{0, 1, true, false}, "0.8",
      "Speed after an impact, of the speed before, where the contact may pull; beta follows from it."});
   v("tsuji_alpha", c.tsuji_alpha,
     {"-", not_negative, "0.7",
      "alpha of the viscous force as Tsuji, Tanaka and Ishida (1992) write it: beta = alpha / sqrt(5)."});
+  v("damping", c.damping, {"N s/m", not_negative, "20.0", "Of a dashpot, the same at any overlap, in place of beta."});
+  v("tangential_damping", c.tangential_damping,
+    {"N s/m", not_negative, "10.0", "The same along the tangent. Left out: that of damping."});
   v("friction", c.friction,
     {"-", not_negative, "0.5",
      text("mu of sliding: the tangential force is at most mu times the normal one.",
@@ -39,6 +42,14 @@ void describe_coefficients(auto& v, auto& c, bool of_pair) {
     {"-", not_negative, "0.1",
      text("mu_r of rolling: the moment is at most mu_r R* times the normal force.",
           "mu_r of rolling. Left out: that of [contact].")});
+  v("normal_stiffness", c.normal_stiffness, {"N/m", positive, "1e5", "kn, where model.law is linear."});
+  v("tangential_stiffness", c.tangential_stiffness,
+    {"N/m", not_negative, "3e4", "kt, where model.law is linear; required if there is friction."});
+  v("rolling_stiffness", c.rolling_stiffness,
+    {"N m", positive, "0.5",
+     "kr, where model.rolling is spring. Left out: 3 Sn mu_r^2 R*^2 of the normal stiffness Sn, as in Ai et al."});
+  v("rolling_damping", c.rolling_damping,
+    {"-", not_negative, "0.5", "eta_r, of critical damping, where model.rolling is spring. Left out: 0.3."});
 }
 
 void describe(auto& v, ContactPair& p) {
@@ -85,7 +96,8 @@ void describe(auto& v, Plate& p) {
     {"m", finite, "0.05", "Depth of its lower edge below the surface of the settled discs. Give this or lower_edge."});
   v.required("width", p.width, {"m", positive, "0.01", "Along x."});
   v.required("height", p.height, {"m", positive, "0.1", "Along y."});
-  v.required("velocity", p.velocity, {"m/s", finite, "[0.1, 0.0]", "Constant from t = 0 on."});
+  v.required("velocity", p.velocity, {"m/s", finite, "[0.1, 0.0]", "Constant from t = 0 on, or from the end of ramp."});
+  v("ramp", p.ramp, {"s", not_negative, "0.05", "Time in which it reaches its velocity, from rest, at a steady rate."});
   v.required("material", p.material, plain("\"steel\"", "Name of its material."));
 }
 

@@ -75,19 +75,6 @@ class Validator {
 
   using Number = std::optional<double>;
 
-  // The ways to give one thing.
-  using Ways = std::vector<std::pair<const char*, Number>>;
-  void at_most_one(const std::string& path, const Ways& ways) {
-    const std::pair<const char*, Number>* first = nullptr;
-    for (const auto& way : ways) {
-      if (first && way.second) not_both(path, first->first, first->second, way.first, way.second);
-      if (!first && way.second) first = &way;
-    }
-  }
-  static Ways ways_of_damping(const auto& c) {
-    return {{"damping_factor", c.damping_factor}, {"restitution", c.restitution}, {"tsuji_alpha", c.tsuji_alpha}};
-  }
-
   void not_both(const std::string& path, const char* a, const Number& a_given, const char* b, const Number& b_given) {
     if (a_given && b_given) fault(path + '.' + b, std::string(a) + " is given too; give one of them", {path + '.' + a});
   }
@@ -106,10 +93,8 @@ class Validator {
   }
 
   void check_contact() {
-    at_most_one("contact", ways_of_damping(scene_.contact));
     std::map<std::vector<std::string>, std::string> said;
     each("contact.pair", scene_.contact.pair, [&](const std::string& path, const ContactPair& pair) {
-      at_most_one(path, ways_of_damping(pair));
       std::vector<std::string> names = pair.materials;
       each(path + ".materials", names, [&](const std::string& one, auto& name) { check_material(one, name); });
       if (names.size() != 2) fault(path + ".materials", "must be two names, not " + std::to_string(names.size()));
@@ -128,6 +113,7 @@ class Validator {
 
   // Where two rigid parts touch, nothing could deform and there would be no force.
   void check_rigid(Kind kind, const std::string& material, const std::string& path) {
+    if (scene_.model.law == ForceLaw::linear) return;  // its springs are not the materials'
     const auto is_its = [&](const Material& m) { return m.rigid && m.name == material; };
     if (std::none_of(scene_.material.begin(), scene_.material.end(), is_its)) return;
     for (const auto& [other, place] : rigid_)
@@ -233,6 +219,7 @@ std::vector<Finding> findings_of(const Scene& given, const Unread& unread) {
   Findings found(unread);
   judge_ranges(scene, found);
   judge_whole(scene, found);
+  judge_damping(scene, found);
   judge_sizes(scene, found);
   judge_numbers(scene, found);
   judge_start(scene, found);

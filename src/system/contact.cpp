@@ -11,4 +11,15 @@ std::string contact_name(const Parts& parts, const ContactId& c) {
   return own + (of_wall(c.kind) ? " and wall " : " and plate ") + std::to_string(c.b);
 }
 
+double rolling_inertia(const Parts& parts, const ContactId& pair) {
+  const auto about_contact = [&](int i) {
+    return parts.disc.inertia[i] + parts.disc.mass[i] * parts.disc.radius[i] * parts.disc.radius[i];
+  };
+  if (!of_disc(pair.kind)) return 0;
+  const double a = about_contact(pair.a);
+  if (pair.kind != disc_disc) return a;
+  const double b = about_contact(pair.b);
+  return 1 / (1 / a + 1 / b);
+}
+
 }  // namespace furrow

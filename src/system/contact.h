@@ -14,13 +14,13 @@
 // n is a unit vector from a to b; of a centre inside a plate the inward normal of the nearest face, of one on the far
 // side of a border the direction to the contact point. Of a plate whose faces are kept it is that of the kept face, and
 // shorter in its corners (physics/held_face.h). Fixed nodes have an infinite mass. With `moment_arm = "radius"` an arm
-// is the whole radius.
+// is the whole radius, with `half_overlap` R - d/2 of all kinds, as in LIGGGHTS.
 #pragma once
 
 #include <array>
 #include <string>
 
-#include "physics/contact.h"
+#include "physics/contact_force.h"
 #include "system/parts.h"
 
 namespace furrow {
@@ -58,11 +58,13 @@ struct Contact {
   double torque_b = 0;    // N m, on disc b
 };
 
-// J, in the normal and the tangential spring.
-inline double stored_energy(const Contact& c) {
-  return elastic_energy(c.force.elastic, c.touch.overlap) +
-         0.5 * c.force.shear_stiffness * c.touch.spring * c.touch.spring;
+// J, in the springs of a contact.
+inline double stored_energy(const Parts& parts, const Contact& c) {
+  return stored_energy(parts.law[c.law], c.touch, c.force);
 }
+
+// kg m^2, Ir of physics/rolling_spring.h.
+double rolling_inertia(const Parts& parts, const ContactId& pair);
 
 // "disc 3 and wall 0", "disc 3 and lattice stem": the two parts in contact; empty for no contact.
 std::string contact_name(const Parts& parts, const ContactId& contact);

@@ -129,7 +129,7 @@ void join_plates(Parts& parts) {
       const PlatePart& q = parts.plate[b];
       const double near = flush_of_side * std::min(least_side(p), least_side(q));
       const Rectangle own = rectangle_at(p, 0), other = rectangle_at(q, 0);
-      if (a == b || p.vx != q.vx || p.vy != q.vy || !touch(own, other, near)) continue;
+      if (a == b || p.vx != q.vx || p.vy != q.vy || p.ramp != q.ramp || !touch(own, other, near)) continue;
       p.flush.push_back(b);
       parts.flush_plates = true;
       widen(p.goes_on, into(own, other, near));

@@ -23,38 +23,6 @@ int index_of_material(const Scene& scene, const std::string& name) {
   throw std::invalid_argument("material '" + name + "' is not defined");
 }
 
-Elastic elastic_of(const Material& m) {
-  if (m.rigid) return {.rigid = true};
-  return {.young = *m.young, .poisson = m.poisson ? *m.poisson : *m.young / (2 * *m.shear) - 1};
-}
-
-const ContactPair* pair_of(const ContactParameters& contact, const std::string& a, const std::string& b) {
-  for (const ContactPair& p : contact.pair) {
-    if ((p.materials[0] == a && p.materials[1] == b) || (p.materials[0] == b && p.materials[1] == a)) return &p;
-  }
-  return nullptr;
-}
-
-double beta_of(const auto& given, double otherwise) {
-  if (given.damping_factor) return *given.damping_factor;
-  if (given.restitution) return damping_factor(*given.restitution);
-  return given.tsuji_alpha ? damping_factor_of_tsuji(*given.tsuji_alpha) : otherwise;
-}
-
-void add_laws(const Scene& scene, Parts& parts) {
-  parts.materials = static_cast<int>(scene.material.size());
-  const double beta = beta_of(scene.contact, 0);
-  for (const Material& a : scene.material) {
-    for (const Material& b : scene.material) {
-      const ContactPair* pair = pair_of(scene.contact, a.name, b.name);
-      const ContactPair& own = pair ? *pair : ContactPair{};
-      parts.law.push_back(contact_law(elastic_of(a), elastic_of(b), beta_of(own, beta),
-                                      own.friction.value_or(scene.contact.friction),
-                                      own.rolling_friction.value_or(scene.contact.rolling_friction), scene.model.pull));
-    }
-  }
-}
-
 void add_discs(const Scene& scene, Parts& parts) {
   for (const Disc& d : scene.disc) {
     const int material = index_of_material(scene, d.material);
@@ -86,14 +54,19 @@ double least_radius(const Parts& parts) {
 // Only what matters: a spin where some disc can be turned, a spring where some contact has friction.
 void set_options(const Scene& scene, Parts& parts) {
   parts.gravity = scene.model.gravity;
-  parts.arm_shortening = scene.model.moment_arm == MomentArm::contact_point ? 1 : 0;
+  const MomentArm arm = scene.model.moment_arm;
+  parts.pair_arm_shortening = arm == MomentArm::radius ? 0 : 0.5;
+  parts.flat_arm_shortening = arm == MomentArm::radius ? 0 : arm == MomentArm::half_overlap ? 0.5 : 1;
   parts.rolling_smoothing = scene.model.rolling_smoothing;
   for (const ContactLaw& law : parts.law) {
     parts.rolling = parts.rolling || (law.rolling > 0 && parts.disc.count() > 0);
+    parts.rolling_spring = parts.rolling_spring || (law.options.rolling_spring && parts.disc.count() > 0);
     parts.friction = parts.friction || law.friction > 0;
+    parts.options = parts.options || !law.options.none();
   }
   parts.friction = parts.friction || parts.rolling;
   parts.keeps_ledger = scene.output.energy;
+  parts.keeps_angles = scene.output.angles;
   parts.margin = margin_of_radius * least_radius(parts);
   parts.tight_plates = scene.model.tight_plates.value_or(false);
   parts.new_faces = scene.model.new_faces.value_or(false);
@@ -230,7 +203,8 @@ Parts make_parts(const Scene& scene) {
   std::vector<Lattice> lattices = scene.lattice;
   fill_stems(lattices, scene.material);
   Parts parts;
-  add_laws(scene, parts);
+  parts.materials = static_cast<int>(scene.material.size());
+  parts.law = laws_of(scene);
   add_discs(scene, parts);
   for (const Lattice& l : lattices) LatticeBuilder(scene, l, parts).build();
   for (const Wall& w : scene.wall) {
@@ -240,7 +214,7 @@ Parts make_parts(const Scene& scene) {
   for (const Plate& p : scene.plate) {
     if (!p.lower_edge)
       throw std::invalid_argument("plate '" + p.name + "' has no lower edge yet: prepare the scene first");
-    parts.plate.push_back({p.left_edge, *p.lower_edge, p.width, p.height, p.velocity.x, p.velocity.y,
+    parts.plate.push_back({p.left_edge, *p.lower_edge, p.width, p.height, p.velocity.x, p.velocity.y, p.ramp,
                            index_of_material(scene, p.material)});
   }
   set_options(scene, parts);

@@ -63,6 +63,7 @@ struct WallPart {
 struct PlatePart {
   double left, lower, width, height;  // m, at t = 0
   double vx, vy;                      // m/s
+  double ramp;                        // s, in which it reaches them
   int material;
   // Where plates are tight, see system/held_faces.h:
   Rectangle goes_on{};       // m, how far behind each of its edges
@@ -97,12 +98,16 @@ struct Parts {
   int free_nodes = 0;
   std::vector<int> held_x, held_y;  // bodies that keep their x, their y: nodes on rollers
 
-  double gravity = 0;            // m/s^2
-  double arm_shortening = 1;     // -, moment arm = radius - arm_shortening * overlap: to the contact point; 0: radius
+  double gravity = 0;  // m/s^2
+  // -, moment arm = radius - shortening * overlap, between discs and on what is flat
+  double pair_arm_shortening = 0.5, flat_arm_shortening = 1;
   double rolling_smoothing = 0;  // rad/s
   bool friction = false;         // of some contact, sliding or rolling: discs spin and contacts hold a spring
   bool rolling = false;          // friction of some contact
+  bool rolling_spring = false;   // of some contact: two numbers a slot
+  bool options = false;          // of some law: see physics/options.h
   bool keeps_ledger = false;
+  bool keeps_angles = false;
   bool tight_plates = false;  // bodies keep the face of a plate that they met, see system/held_faces.h
   bool flush_plates = false;  // some are tight and flush
   bool new_faces = false;     // torn lattices have them, see system/border.h
@@ -114,6 +119,9 @@ struct Parts {
   std::string node_name(int node) const;
   std::string link_name(int link) const;
 };
+
+// Of each pair of materials, at Parts::law_of.
+std::vector<ContactLaw> laws_of(const Scene& scene);
 
 // The scene's packings must have been placed (its `disc` lists all discs) and its plates have a lower edge.
 Parts make_parts(const Scene& scene);

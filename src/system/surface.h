@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/geometry.h"
+#include "physics/ramp.h"
 #include "system/contact.h"
 #include "system/parts.h"
 
@@ -19,7 +20,8 @@ struct PlateAt {
 // While a scene is prepared its plates stand still.
 inline PlateAt plate_at(const PlatePart& p, double t, bool preparing) {
   if (preparing) return {p.left, p.lower, 0, 0};
-  return {p.left + p.vx * t, p.lower + p.vy * t, p.vx, p.vy};
+  const Ramped at = ramped(t, p.ramp);
+  return {p.left + p.vx * at.time, p.lower + p.vy * at.time, p.vx * at.speed, p.vy * at.speed};
 }
 
 inline Rectangle rectangle_at(const PlatePart& p, double t) {

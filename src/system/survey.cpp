@@ -90,13 +90,20 @@ double passing_work(const Parts& parts, const ContactId& contact, const ContactL
   return infinity;
 }
 
+double stiffness_of(const ContactLaw& law) { return is_linear(law) ? law.options.normal_stiffness : law.modulus; }
+
+ContactLaw softest_of(const Parts& parts) {
+  ContactLaw softest{.modulus = infinity};
+  for (const ContactLaw& law : parts.law)
+    if (&law == parts.law.data() || stiffness_of(law) < stiffness_of(softest)) softest = law;
+  return softest;
+}
+
 // Of two equal discs, E its work and v its speed: a plate or border takes no less than E / 4 for no more than twice the
 // reduced mass, v / sqrt(8); a larger partner no less than E for no more than twice the mass.
 double least_passing_speed(const Parts& parts) {
-  double modulus = infinity;
-  for (const ContactLaw& law : parts.law) modulus = std::min(modulus, law.modulus);
-  if (std::isinf(modulus)) return infinity;
-  const ContactLaw softest{.modulus = modulus};
+  const ContactLaw softest = softest_of(parts);
+  if (!(stiffness_of(softest) < infinity)) return infinity;
   double least = infinity;  // squared
   for (int i = 0; i < parts.disc.count(); ++i) {
     const double radius = parts.disc.radius[i];

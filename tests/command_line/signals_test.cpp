@@ -50,8 +50,8 @@ TEST_F(Signals, EachOfThemEndsARunWellAndIsNamed) {
     EXPECT_EQ(json["ended"], "interrupted");
     EXPECT_EQ(json["reason"], "interrupted by " + name);
     // What grows with the run is not complete, what is whole in itself is.
-    for (const char* file :
-         {"plate_force.csv", "energy.csv", "motion.csv", "events.csv", "run.pvd", "frames/frames.csv"}) {
+    for (const char* file : {"plate_force.csv", "wall_force.csv", "energy.csv", "motion.csv", "events.csv", "run.pvd",
+                             "frames/frames.csv"}) {
       EXPECT_TRUE(has(name + "/" + file + ".partial")) << file;
       EXPECT_FALSE(has(name + "/" + file)) << file;
       EXPECT_EQ(text(name + "/" + file + ".partial").back(), '\n') << file;

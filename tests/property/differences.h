@@ -48,8 +48,9 @@ inline std::string name_of_number(const System& system, int place) {
   const char* names[] = {"x", "y", "vx", "vy"};
   if (place < 4 * bodies) return std::string(names[place / bodies]) + " of " + system.parts().body_name(place % bodies);
   if (place < at.first_spring) return "spin of " + system.parts().body_name(place - 4 * bodies);
-  if (place < at.first_dummy()) return name_of_spring(system, place - at.first_spring);
+  if (place < at.first_dummy()) return name_of_spring(system, (place - at.first_spring) / at.slot_width);
   if (place < at.ledger_of(0)) return "dummy slot " + std::to_string(place - at.first_dummy());
+  if (at.angles > 0 && place >= at.angle_of(0)) return "angle of " + system.parts().body_name(place - at.angle_of(0));
   return "entry " + std::to_string(place - at.ledger_of(0)) + " of the ledger";
 }
 
@@ -66,10 +67,13 @@ inline std::string difference(const System& one, const State& y, const System& o
   if (y.size() != one.size() || z.size() != other.size()) return "the size of a state";
   for (int k = 0; k < in_y.first_spring; ++k) look(k, k);
   for (int slot = 0; slot < std::max(in_y.spring_count, in_z.spring_count); ++slot) {
-    look(slot < in_y.spring_count ? in_y.spring_of(slot) : -1, slot < in_z.spring_count ? in_z.spring_of(slot) : -1);
+    for (int k = 0; k < in_y.slot_width; ++k)
+      look(slot < in_y.spring_count ? in_y.spring_of(slot) + k : -1,
+           slot < in_z.spring_count ? in_z.spring_of(slot) + k : -1);
   }
   for (int k = 0; k < in_y.dummy_slots; ++k) look(in_y.first_dummy() + k, in_z.first_dummy() + k);
   for (int k = 0; in_y.keeps_ledger && k < ledger_entries; ++k) look(in_y.ledger_of(k), in_z.ledger_of(k));
+  for (int i = 0; i < in_y.angles; ++i) look(in_y.angle_of(i), in_z.angle_of(i));
   return found;
 }
 
@@ -121,6 +125,8 @@ inline std::string difference(const Contact& one, const Contact& other) {
                                c.touch.spin,
                                c.touch.reduced_radius,
                                c.touch.reduced_mass,
+                               c.touch.turn,
+                               c.touch.rolling_inertia,
                                c.force.elastic,
                                c.force.normal,
                                c.force.tangential,

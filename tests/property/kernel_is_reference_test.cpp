@@ -54,14 +54,35 @@ std::vector<Material> materials() {
   return {soft, hard};
 }
 
+// What the kernel does not run in vectors: half of the scenes have none of it.
+void add_law_options(Scene& s) {
+  s.model.law = *rc::gen::element(ForceLaw::hertz_mindlin, ForceLaw::rescaled_mindlin, ForceLaw::linear);
+  s.model.after_slip = either() ? AfterSlip::less_viscous : AfterSlip::elastic;
+  s.model.rolling = *rc::gen::element(Rolling::none, Rolling::smoothed, Rolling::spring);
+  s.contact.normal_stiffness = 100.0 * (1 + up_to(1000));
+  s.contact.tangential_stiffness = 50.0 * (1 + up_to(1000));
+  if (either()) s.contact.rolling_stiffness = part(1 + up_to(999));
+  if (either()) s.contact.rolling_damping = part(up_to(1000));
+  if (either()) {
+    s.contact.damping_factor = s.contact.restitution = {};
+    s.contact.damping = part(up_to(3000));
+    if (either()) s.contact.tangential_damping = part(up_to(3000));
+  }
+  for (ContactPair& pair : s.contact.pair) {
+    pair.tangential_stiffness = 40.0 * (1 + up_to(1000));
+    if (either()) pair.rolling_stiffness = part(1 + up_to(999));
+  }
+}
+
 void add_options(Scene& s) {
   s.model.gravity = either() ? 9.81 : 0;
   s.model.disc_mass = either() ? DiscMass::sphere : DiscMass::disc;
-  s.model.moment_arm = either() ? MomentArm::radius : MomentArm::contact_point;
+  s.model.moment_arm = *rc::gen::element(MomentArm::contact_point, MomentArm::half_overlap, MomentArm::radius);
   s.model.pull = either();
   s.model.tight_plates = either();
   s.model.new_faces = either();
-  (either() ? s.contact.damping_factor : s.contact.tsuji_alpha) = part(up_to(3000));
+  s.model.slip_damping = either();
+  (either() ? s.contact.damping_factor : s.contact.restitution) = part(1 + up_to(999));
   s.contact.friction = either() ? part(up_to(1000)) : 0;
   s.contact.rolling_friction = either() ? part(up_to(1000)) : 0;
   if (either()) {
@@ -70,7 +91,9 @@ void add_options(Scene& s) {
                        .friction = part(up_to(900)),
                        .rolling_friction = part(up_to(900))}};
   }
+  if (either()) add_law_options(s);
   s.output.energy = either();
+  s.output.angles = either();
   s.search.skin = either() ? 1e-5 * up_to(1000) : 0;
   s.search.cell_size = either() ? 1e-4 * (1 + up_to(1000)) : 0;
 }
@@ -93,6 +116,7 @@ void add_plates(Scene& s) {
     p.height = 0.06;
     p.velocity = {part(up_to(1000)), part(up_to(200))};
     if (either()) p.velocity = {part(up_to(1000)), 0}, p.lower_edge = 0;  // on the floor, if there is one
+    p.ramp = either() ? 1e-4 * up_to(60) : 0;
     p.material = "hard";
     s.plate.push_back(p);
     if (either()) continue;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "physics/damping.h"
+
 namespace furrow {
 namespace {
 

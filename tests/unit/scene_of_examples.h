@@ -12,6 +12,8 @@ namespace furrow::test {
 // Keys without which a table does not pass, though none of them is required by itself; a second material.
 inline std::vector<std::string> needed(const std::string& table, const std::string& changed) {
   if (table == "material") return {"young", changed == "material.shear" ? "shear" : "poisson"};
+  if (table == "contact" && changed == "model.law") return {"normal_stiffness"};
+  if (changed == table + ".tangential_damping") return {"damping"};
   if (table == "plate" && changed != "plate.working_depth") return {"lower_edge"};
   return {};
 }

@@ -137,10 +137,11 @@ TEST(SceneReader, PlacesAMissingKeyAtTheHeaderOfItsTable) {
 
 TEST(SceneReader, ListsTheWordsOfAnEnum) {
   EXPECT_EQ(errors_after("[model]\nmoment_arm = \"contact_pont\""),
-            Lines{"14:14: model.moment_arm: must be one of contact_point, radius, not \"contact_pont\"; did you mean "
+            Lines{"14:14: model.moment_arm: must be one of contact_point, half_overlap, radius, not \"contact_pont\"; "
+                  "did you mean "
                   "\"contact_point\"?"});
   EXPECT_EQ(errors_after("[model]\nmoment_arm = 1"),
-            Lines{"14:14: model.moment_arm: must be one of contact_point, radius, not an integer"});
+            Lines{"14:14: model.moment_arm: must be one of contact_point, half_overlap, radius, not an integer"});
 }
 
 TEST(SceneReader, SaysWhetherATableIsOneOrOneOfAList) {

@@ -86,6 +86,23 @@ TEST(SceneValidation, WantsDampingGivenInOneWay) {
                    "contact.pair[0].tsuji_alpha: damping_factor is given too; give one of them"}));
 }
 
+TEST(SceneValidation, WantsWhatTheLinearLawNeedsAndNothingOfHertzs) {
+  EXPECT_EQ(problems([](Scene& s) {
+              s.model.law = ForceLaw::linear;
+              s.contact.friction = 0.5;
+            }),
+            (Lines{"contact: normal_stiffness [N/m] is required: model.law is linear",
+                   "contact: tangential_stiffness [N/m] is required: model.law is linear"}));
+  EXPECT_EQ(problems([](Scene& s) {
+              s.model.law = ForceLaw::linear;
+              s.contact.normal_stiffness = 1e4;
+              s.contact.tsuji_alpha = 0.5;
+            }),
+            Lines{"contact.tsuji_alpha: is of Hertz's law; model.law is linear"});
+  EXPECT_EQ(problems([](Scene& s) { s.contact.tangential_damping = 3; }),
+            Lines{"contact.tangential_damping: needs damping [N s/m]"});
+}
+
 TEST(SceneValidation, WantsEachPairOfMaterialsOnce) {
   EXPECT_EQ(problems([](Scene& s) { s.contact.pair = {{.materials = {"soft"}}}; }),
             Lines{"contact.pair[0].materials: must be two names, not 1"});

@@ -11,7 +11,7 @@
 #include "output/machine.h"
 #include "output/run_files.h"
 #include "scene/read.h"
-#include "written_scene.h"
+#include "written_contacts.h"
 
 namespace furrow {
 namespace {
@@ -150,7 +150,7 @@ TEST_F(WrittenFrames, AsVtkAreWhatTheCsvSaysByNameOrderAndCorner) {
   ASSERT_EQ(status, 0);
   using Json = nlohmann::json;
   const Json read = Json::parse(text);
-  ASSERT_EQ(read.size(), 9u);
+  ASSERT_EQ(read.size(), 12u);
   const double times[] = {0, 0.0051, 0.02};
   const auto numbers = [](const Json& array) {
     std::vector<double> all;
@@ -163,14 +163,14 @@ TEST_F(WrittenFrames, AsVtkAreWhatTheCsvSaysByNameOrderAndCorner) {
     for (std::size_t k = 0; k < cells * corners; ++k) want[k / corners].push_back(static_cast<int>(k));
     return want;
   };
-  for (std::size_t k = 0; k < 9; ++k) {
+  for (std::size_t k = 0; k < 12; ++k) {
     const Json& set = read[k];
-    const char* names[] = {"discs", "links", "plates"};
-    const std::string name = names[k % 3];
-    const Moment& m = known().nearest(times[k / 3]);
+    const char* names[] = {"discs", "links", "plates", "contacts"};
+    const std::string name = names[k % 4];
+    const Moment& m = known().nearest(times[k / 4]);
     EXPECT_EQ(set["name"], name);
-    EXPECT_EQ(set["file"], "frames/" + name + "_00" + std::to_string(k / 3) + ".vtp");
-    EXPECT_EQ(set["part"], k % 3);
+    EXPECT_EQ(set["file"], "frames/" + name + "_00" + std::to_string(k / 4) + ".vtp");
+    EXPECT_EQ(set["part"], k % 4);
     EXPECT_NEAR(set["time"].get<double>(), m.t, 1e-6 * m.t);
     const Json& data = name == "discs" ? set["point_data"] : set["cell_data"];
     std::map<std::string, std::vector<double>> want;
@@ -194,6 +194,9 @@ TEST_F(WrittenFrames, AsVtkAreWhatTheCsvSaysByNameOrderAndCorner) {
         want["kind"].push_back(l[5]);
         ++cells;
       }
+    } else if (name == "contacts") {
+      corners = 2;
+      cells = add_contacts(contact_rows(known(), m), points, want);
     } else {
       corners = 4;
       for (const std::vector<double>& p : plates(m.t)) {
@@ -203,14 +206,15 @@ TEST_F(WrittenFrames, AsVtkAreWhatTheCsvSaysByNameOrderAndCorner) {
       }
     }
     expect_equal(numbers(set["points"]), points, name + " points");
-    EXPECT_EQ(data.size(), want.size()) << name;
+    EXPECT_EQ(data.size(), want.size() + (name == "contacts" ? 1 : 0)) << name;  // and their slip
     for (const auto& [array, values] : want) {
       ASSERT_TRUE(data.contains(array)) << name << " has no array " << array;
       EXPECT_EQ(data[array]["tuples"].size(), cells) << array;
       expect_equal(numbers(data[array]["tuples"]), values, name + " " + array);
-      EXPECT_EQ(data[array]["type"], array == "kind" ? "int" : "double");
+      EXPECT_EQ(data[array]["type"], array == "kind" || array.size() == 1 ? "int" : "double");
     }
-    for (const auto& [shape, of] : {std::pair{"verts", "discs"}, {"lines", "links"}, {"polys", "plates"}}) {
+    for (const auto& [shape, of] :
+         {std::pair{"verts", "discs"}, {"lines", name == "contacts" ? "contacts" : "links"}, {"polys", "plates"}}) {
       const auto cells_there = set[shape].get<std::vector<std::vector<int>>>();
       EXPECT_EQ(cells_there, of == name ? in_order(cells, corners) : std::vector<std::vector<int>>{}) << name << shape;
     }

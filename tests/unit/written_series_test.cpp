@@ -90,6 +90,29 @@ TEST_F(WrittenSeries, ForceIsOnThePlateThatTheRowNamesAndItsOwnWay) {
   EXPECT_TRUE(pushed_up);  // or the columns Fx and F could be one another
 }
 
+TEST_F(WrittenSeries, ForceIsOnTheWallThatTheRowNames) {
+  const Csv force = csv("wall_force.csv");
+  ASSERT_EQ(force.headings, (std::vector<std::string>{"t [s]", "wall", "Fx [N]", "Fy [N]", "F [N]"}));
+  const std::vector<const Moment*> moments = due();
+  ASSERT_EQ(force.rows.size(), moments.size());
+  double most = 0;
+  for (std::size_t k = 0; k < moments.size(); ++k) {
+    Vec2 want;
+    for (const KnownContact& c : contacts_of(known(), *moments[k])) {
+      if (c.plate >= 0 || c.b >= 0) continue;
+      want.x += c.push * c.nx;
+      want.y += c.push * c.ny;
+    }
+    EXPECT_EQ(force.text(k, "wall"), "0");
+    EXPECT_EQ(force.number(k, "t [s]"), moments[k]->t);
+    expect(force, k, "Fx [N]", want.x, 1000);
+    expect(force, k, "Fy [N]", want.y, 1000);
+    expect(force, k, "F [N]", std::hypot(want.x, want.y), 1000);
+    most = std::max(most, std::hypot(want.x, want.y));
+  }
+  EXPECT_GT(most, 1);
+}
+
 TEST_F(WrittenSeries, EnergyIsThatOfTheState) {
   const Csv energy = csv("energy.csv");
   const System& s = known().system;

@@ -1,0 +1,61 @@
+// The law of one contact with its options: what the reference computes with, and the kernel where vectors do not carry
+// the option. Without options it is hertz_mindlin() of physics/contact.h.
+#pragma once
+
+#include "physics/contact.h"
+#include "physics/damping.h"
+#include "physics/linear.h"
+#include "physics/rescaled_mindlin.h"
+#include "physics/rolling_spring.h"
+
+namespace furrow {
+
+// rolling_smoothing: rad/s, w0.
+inline TouchForce contact_force(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
+  if (law.options.none()) return hertz_mindlin(law, c, rolling_smoothing);
+  TouchForce f{};
+  law.options.force == ForceLaw::linear ? stiffen_linear(law, c, f) : stiffen(law, c, f);
+  damp(law, c, f);
+  f.tangential = tangential_force(c, f, coulomb_limit(law, f));
+  if (law.rolling > 0)
+    f.moment = law.options.rolling_spring ? rolling_spring_moment(law, c, f)
+                                          : rolling_moment(law, c, f.normal, rolling_smoothing);
+  return f;
+}
+
+// m/s: xi'.
+inline double spring_rate(const ContactLaw& law, const Touch& c) {
+  return law.options.force == ForceLaw::rescaled_mindlin ? rescaled_rate(c) : c.slip;
+}
+
+inline bool rolls_on_spring(const ContactLaw& law) { return law.options.rolling_spring && law.rolling > 0; }
+
+inline TouchPowers contact_powers(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  TouchPowers p = touch_powers(c, f);
+  if (law.options.force == ForceLaw::linear) p.stiffening = 0;
+  if (law.options.force == ForceLaw::rescaled_mindlin) rescale(p);
+  if (rolls_on_spring(law)) store_rolling(law, c, f, p);
+  return p;
+}
+
+// J, in the normal spring, the tangential one and that of rolling.
+inline double stored_energy(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  const bool linear = law.options.force == ForceLaw::linear;
+  const double normal = linear ? 0.5 * f.elastic * c.overlap : elastic_energy(f.elastic, c.overlap);
+  const double tangential = 0.5 * f.shear_stiffness * c.spring * c.spring;
+  if (!rolls_on_spring(law)) return normal + tangential;
+  return normal + tangential + 0.5 * rolling_stiffness(law, c, f) * c.turn * c.turn;
+}
+
+// J: what the springs of a contact still hold as it opens, and lose. Of Hertz's law nothing: at d = 0 nothing is stiff.
+inline double energy_at_opening(const ContactLaw& law, double reduced_radius, double spring, double turn) {
+  Touch c{};
+  c.reduced_radius = reduced_radius;
+  c.spring = spring;
+  c.turn = turn;
+  TouchForce f{};
+  if (law.options.force == ForceLaw::linear) stiffen_linear(law, c, f);
+  return stored_energy(law, c, f);
+}
+
+}  // namespace furrow

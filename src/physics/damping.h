@@ -1,0 +1,59 @@
+// The ways to give the damping of a contact, and what its tangential spring holds after it has slipped.
+//
+//   Fv = (2 sqrt(5/6) beta sqrt(Sn m*) + cn) d'       of the linear law with 2 beta in place of 2 sqrt(5/6) beta
+//   Fv,t = (2 sqrt(5/6) beta sqrt(St m*) + ct) vt
+//
+//   damping_factor  beta
+//   restitution     beta = -ln e / sqrt(ln^2 e + pi^2)                     exact if the contact may pull
+//   tsuji_alpha     beta = alpha / sqrt(5)                                 not for the linear law
+//   damping         cn, and ct, its own or the same; then beta = 0
+//
+// After a step |xi| is returned to mu Fn/St (`elastic`), or, where the contact slides, to what leaves the limit
+// together with the damper (`less_viscous`; as LAMMPS does):
+//
+//   xi = -(Ft + ct' vt)/St,  |Ft| = mu Fn,  ct' the whole factor of vt
+//
+// A spring that was never stretched stays at zero.
+//
+// Sources: Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239), whose viscous force is alpha sqrt(m* K) d^(1/4) d'
+// with Fe = K d^(3/2); Antypov and Elliott 2011 (Europhys. Lett. 94, 50004) for the restitution; Luding 2008 (Granular
+// Matter 10, 235) for the second rule after slip.
+#pragma once
+
+#include <cmath>
+
+#include "physics/contact.h"
+
+namespace furrow {
+
+// beta for a wanted restitution e in (0, 1]; exact if the contact may pull.
+inline double damping_factor(double restitution) {
+  const double log_e = std::log(restitution);
+  return -log_e / std::sqrt(log_e * log_e + pi * pi);
+}
+
+inline double damping_factor_of_tsuji(double alpha) { return alpha / std::sqrt(5.0); }
+
+// Adds the dampers to a contact whose stiffnesses and elastic force are known.
+inline void damp(const ContactLaw& law, const Touch& c, TouchForce& f) {
+  const double viscosity = law.viscosity * std::sqrt(f.stiffness * c.reduced_mass);
+  f.shear_viscosity = viscosity * law.shear_ratio + law.options.tangential_dashpot;
+  const double push = f.elastic + (viscosity + law.options.dashpot) * c.approach;
+  f.normal = push > law.floor ? push : law.floor;
+}
+
+// N s/m: the whole factor of d'.
+inline double normal_viscosity(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return law.viscosity * std::sqrt(f.stiffness * c.reduced_mass) + law.options.dashpot;
+}
+
+// m: xi after a step.
+inline double spring_after_step(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  const double limit = coulomb_limit(law, f);
+  if (law.options.after_slip == AfterSlip::elastic) return returned_spring(limit, f, c.spring);
+  const double stick = -f.shear_stiffness * c.spring - f.shear_viscosity * c.slip;
+  if (!(std::fabs(stick) > limit) || c.spring == 0 || !(f.shear_stiffness > 0)) return c.spring;
+  return -((stick > 0 ? limit : -limit) + f.shear_viscosity * c.slip) / f.shear_stiffness;
+}
+
+}  // namespace furrow

@@ -1,0 +1,33 @@
+// What a contact may have beyond the law of Hertz and Mindlin (physics/contact.h). Where every option is at its
+// default that law holds as it stands there, and the kernel runs it in vectors.
+//
+//   force        linear.h, rescaled_mindlin.h; which damping there is besides beta: damping.h
+//   after_slip   what a tangential spring holds after it has slipped: damping.h
+//   rolling      rolling_spring.h
+#pragma once
+
+namespace furrow {
+
+enum class ForceLaw { hertz_mindlin, rescaled_mindlin, linear };
+enum class AfterSlip { elastic, less_viscous };
+enum class Rolling { none, smoothed, spring };
+
+// Of a pair of materials.
+struct ContactOptions {
+  ForceLaw force = ForceLaw::hertz_mindlin;
+  AfterSlip after_slip = AfterSlip::elastic;
+  bool rolling_spring = false;
+  double normal_stiffness = 0;      // N/m, kn of the linear law
+  double tangential_stiffness = 0;  // N/m, kt
+  double dashpot = 0;               // N s/m, cn
+  double tangential_dashpot = 0;    // N s/m, ct
+  double rolling_stiffness = 0;     // N m, kr; 0: it follows the normal stiffness
+  double rolling_damping = 0;       // -, eta_r
+
+  bool none() const {
+    return force == ForceLaw::hertz_mindlin && after_slip == AfterSlip::elastic && !rolling_spring && dashpot == 0 &&
+           tangential_dashpot == 0;
+  }
+};
+
+}  // namespace furrow

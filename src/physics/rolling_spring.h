@@ -1,0 +1,58 @@
+// Rolling resistance by a spring, a dashpot and a limit: a disc can rest on a slope.
+//
+//   theta' = w = omega_i - omega_j
+//   kr = 3 Sn mu_r^2 R*^2, or as given
+//   cr = 2 eta_r sqrt(Ir kr)
+//   Ir = 1/(1/(I_i + m_i R_i^2) + 1/(I_j + m_j R_j^2)),  of what does not spin the second term is 0
+//   M  = -kr theta - cr w,  |M| <= mu_r R* max(0, Fn)
+//
+// After each step |theta| is returned to mu_r R* Fn/kr. The factor 3 is that of discs, their resistance made by a
+// contact as wide as lets the moment reach its limit where the normal force reaches the edge; 2.25 of spheres.
+//
+// Source: model C of Ai, Chen, Rotter and Ooi 2011 (Powder Technol. 206, 269), whose viscous moment has a limit of its
+// own; here the limit is that of the sum, as for sliding.
+#pragma once
+
+#include <cmath>
+
+#include "physics/contact.h"
+
+namespace furrow {
+
+// N m
+inline double rolling_stiffness(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  if (law.options.rolling_stiffness > 0) return law.options.rolling_stiffness;
+  const double arm = law.rolling * c.reduced_radius;
+  return 3 * f.stiffness * arm * arm;
+}
+
+// N m: the greatest moment.
+inline double rolling_limit(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return law.rolling * c.reduced_radius * (f.normal > 0 ? f.normal : 0);
+}
+
+// N m, on body i.
+inline double rolling_spring_moment(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  const double kr = rolling_stiffness(law, c, f);
+  const double cr = 2 * law.options.rolling_damping * std::sqrt(c.rolling_inertia * kr);
+  const double limit = rolling_limit(law, c, f);
+  const double free = -kr * c.turn - cr * c.spin;
+  const double capped = free > limit ? limit : free;
+  return capped < -limit ? -limit : capped;
+}
+
+// rad: theta after a step. Where nothing is stiff it stays as it is.
+inline double turn_after_step(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  const double reach = rolling_limit(law, c, f) / rolling_stiffness(law, c, f);
+  return c.turn > reach ? reach : c.turn < -reach ? -reach : c.turn;
+}
+
+// What the spring takes up is not lost; a stiffness that grows with the contact supplies it.
+inline void store_rolling(const ContactLaw& law, const Touch& c, const TouchForce& f, TouchPowers& p) {
+  const double kr = rolling_stiffness(law, c, f);
+  p.rolling -= kr * c.turn * c.spin;
+  if (law.options.rolling_stiffness > 0 || law.options.force == ForceLaw::linear || !(c.overlap > 0)) return;
+  p.stiffening += 0.25 * c.turn * c.turn * kr * c.approach / c.overlap;
+}
+
+}  // namespace furrow
