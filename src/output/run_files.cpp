@@ -74,6 +74,13 @@ void write_text(const fs::path& file, const std::string& text) {
   out.finish();
 }
 
+// How far settling is, and what it waits for.
+std::string settling_words(const Settle& settle, double t, double speed) {
+  const auto in_digits = [](double value) { return shortest(std::round(10 * value) / 10); };
+  return "settling " + in_digits(t) + " s of the model, fastest " + in_digits(1e3 * speed) + " mm/s, waits for " +
+         in_digits(1e3 * settle.speed) + " mm/s";
+}
+
 RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved) {
   const Scene& asked = request.scene;
   const Timing& time = asked.time;
@@ -102,7 +109,9 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
     if (saved)
       prepared.emplace(saved->prepared());
     else
-      prepared = prepare(asked, [&](double t, double) { return request.progress("settling", t, asked.settle->limit); });
+      prepared = prepare(asked, [&](double t, double speed) {
+        return request.progress(settling_words(*asked.settle, t, speed), t, asked.settle->limit);
+      });
   } catch (const Interrupted& stopped) {
     return conclude("interrupted", stopped.what(), 0);
   } catch (const Divergence& failure) {

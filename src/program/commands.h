@@ -16,10 +16,11 @@ namespace furrow {
 struct RunOptions {
   std::string scene;
   // What changes the scene, as it was given: what the texts must be stands in the scene's schema.
-  std::optional<std::string> method, step, until, locate, threads, solver;
+  std::optional<std::string> method, step, until, locate, threads, solver, frames;
   std::vector<std::string> set;  // "time.step=1e-4"
   std::string resume;            // directory of a run to go on with; empty: begin
   std::string directory;         // empty: runs/ and the name of the scene
+  bool json = false;             // run.json on standard output, a terminal or not
 };
 
 // The scene with the changes from the command line, judged as it will run. Throws SceneError with all that is wrong.

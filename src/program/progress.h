@@ -18,6 +18,9 @@ class Progress {
   // False once an interrupt was requested. Safe to call from several threads.
   bool show(const std::string& name, const std::string& doing, double done, double total);
 
+  // Nothing of it stays on the terminal.
+  void end();
+
   // Prints a whole line to standard error without damage to the progress line.
   void say(const std::string& line);
 

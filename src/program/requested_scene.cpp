@@ -1,5 +1,6 @@
 // The scene that a command is asked for: the file, then the options, then one judgement of what they make together.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -53,6 +54,18 @@ void adapt_schedule(const std::vector<Change>& changes, Scene& scene) {
     scene.output.interval = std::max(scene.output.interval, scene.time.step);
 }
 
+// Pictures at equal times, from the start to the end.
+void set_frames(const std::optional<std::string>& text, SceneFile& file) {
+  if (!text) return;
+  constexpr int most = 10'000;
+  int count = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), count);
+  if (error != std::errc{} || end != text->data() + text->size() || count < 2 || count > most)
+    return file.option_fault("--frames", "must be a whole number from 2 to 10000, not " + in_quotes(visible(*text)));
+  file.scene.output.frames.clear();
+  for (int k = 0; k < count; ++k) file.scene.output.frames.push_back(file.scene.time.end * k / (count - 1));
+}
+
 void judge_method(SceneFile& file) {
   if (!file.known("time.method")) return;
   std::vector<std::string> names;
@@ -80,6 +93,7 @@ SceneFile changed_file(const RunOptions& options) {
     file.set_by_option(path, option);
   }
   adapt_schedule(changes, file.scene);
+  set_frames(options.frames, file);
   judge_method(file);
   file.judge();
   file.throw_if_wrong();

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <array>
 #include <atomic>
 #include <cinttypes>
@@ -14,12 +16,18 @@
 #include "output/run_files.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "program/run_summary.h"
 #include "scene/read.h"
 
 namespace furrow {
 namespace {
 
 namespace fs = std::filesystem;
+
+fs::path directory_of(const RunOptions& options) {
+  const fs::path wanted = !options.resume.empty() ? options.resume : options.directory;
+  return wanted.empty() ? "runs" / fs::path(options.scene).stem() : wanted;
+}
 
 }  // namespace
 
@@ -30,8 +38,7 @@ int exit_code_of(const RunOutcome& outcome) {
 RunOutcome run_one(const RunOptions& options, Progress& progress) {
   const std::string name = fs::path(options.scene).stem();
   const bool resumes = !options.resume.empty();
-  const fs::path wanted = resumes ? options.resume : options.directory;
-  const fs::path directory = wanted.empty() ? "runs" / fs::path(name) : wanted;
+  const fs::path wanted = resumes ? options.resume : options.directory, directory = directory_of(options);
   RunRequest request{
       .scene_file = options.scene, .scene = requested_scene(options), .directory = directory, .resume = resumes};
   request.progress = [&](const std::string& doing, double done, double total) {
@@ -55,9 +62,16 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
 }
 
 int run_command(const RunOptions& options) {
+  const fs::path directory = directory_of(options);
+  const bool replaces = options.resume.empty() && fs::exists(directory / "run.json");
   Progress progress;
   const RunOutcome outcome = run_one(options, progress);
-  std::cout << outcome.json << std::flush;
+  progress.end();
+  if (isatty(STDOUT_FILENO) != 0 && !options.json) {
+    std::cout << run_summary(outcome.json, directory, replaces) << std::flush;
+  } else {
+    std::cout << outcome.json << std::flush;
+  }
   return exit_code_of(outcome);
 }
 

@@ -44,7 +44,9 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
         ->expected(1)
         ->take_all();
   };
-  auto* run = app.add_subcommand("run", "run a scene and write its files; run.json goes to standard output too");
+  auto* run = app.add_subcommand(
+      "run",
+      "run a scene and write its files; run.json goes to standard output too, to a terminal its sum in four lines");
   add_overrides(run);
   run->add_option("--until", options.until, "end of the run; pictures after it are left out")->type_name("SECONDS");
   run->add_option("--locate", options.locate, "what steps end at: none, tears, or all (touches and slips too)")
@@ -53,11 +55,16 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
       ->type_name("NUMBER");
   run->add_option("--solver", options.solver, "kernel, or reference: every pair, one after the other, to the same bits")
       ->type_name("WORD");
+  run->add_option("--frames", options.frames,
+                  "so many pictures at equal times, instead of those of the scene; for furrow view")
+      ->type_name("NUMBER");
   auto* out =
       run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")->type_name("DIR");
   run->add_option("--resume", options.resume, "go on with the run in this directory, from its last checkpoint")
       ->type_name("DIR")
       ->excludes(out);
+
+  run->add_flag("--json", options.json, "print run.json on a terminal too, instead of four lines");
 
   auto* check = app.add_subcommand("check", "read scene files and say all that is wrong with them");
   check->add_option("scenes", scenes, "scene files")->required()->type_name("");

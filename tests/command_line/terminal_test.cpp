@@ -10,8 +10,8 @@ namespace {
 
 class Terminal : public furrow::test::Program {
  protected:
-  // Runs with standard error on a terminal; returns all that was written there.
-  std::string shown(const std::string& arguments, int& code) const {
+  // Runs with standard error on a terminal, with `all` standard output too; returns all that was written there.
+  std::string shown(const std::string& arguments, int& code, bool all = false) const {
     const int master = posix_openpt(O_RDWR | O_NOCTTY);
     EXPECT_EQ(grantpt(master), 0);
     EXPECT_EQ(unlockpt(master), 0);
@@ -19,7 +19,7 @@ class Terminal : public furrow::test::Program {
     const pid_t child = fork();
     if (child == 0) {
       const std::string line = "cd '" + directory_.string() + "' && exec '" FURROW_PROGRAM "' " + arguments +
-                               " >stdout.txt 2>" + name + " </dev/null";
+                               (all ? " >" + name : " >stdout.txt") + " 2>" + name + " </dev/null";
       execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
       _exit(127);
     }
@@ -78,6 +78,32 @@ TEST_F(Terminal, SaysWhatSettlesWithoutAGuessOfTheTimeLeft) {
   ASSERT_NE(at, std::string::npos) << text;
   EXPECT_EQ(text.find("s left"), std::string::npos) << text;
   EXPECT_EQ(text.find("running"), std::string::npos) << text;
+}
+
+TEST_F(Terminal, ARunEndsWithFourLinesForPeople) {
+  int code = -1;
+  const std::string first = shown("run " + scene("scenario_1") + " --until 0.05 --out here", code, true);
+  ASSERT_EQ(code, 0) << first;
+  const std::string text = first.substr(first.rfind("\033[K") == std::string::npos ? 0 : first.rfind("\033[K") + 3);
+  EXPECT_TRUE(
+      std::regex_search(text, std::regex("^finished at t = 0.05 s: 500 steps of pece in [0-9.e-]+ s of CPU time\r\n"
+                                         "largest force [0-9.]+ N on [a-z0-9]+ at t = [0-9.]+ s\r\n"
+                                         "links torn 0, greatest overlap [^\r]*\r\n"
+                                         "files in here; furrow view here plays it, --json prints run.json\r\n$")))
+      << text;
+  const std::string second = shown("run " + scene("scenario_1") + " --until 0.05 --out here", code, true);
+  EXPECT_NE(second.find("files in here, in place of those of an earlier run"), std::string::npos) << second;
+  const std::string json = shown("run " + scene("scenario_1") + " --until 0.05 --out here --json", code, true);
+  EXPECT_NE(json.find("\"ended\": \"finished\""), std::string::npos) << json;
+  EXPECT_EQ(json.find("furrow view"), std::string::npos) << json;
+}
+
+TEST_F(Terminal, SettlingSaysWhatItWaitsFor) {
+  int code = -1;
+  const std::string text = shown("run " + scene("scenario_2") + " --until 0.001 --out here", code);
+  ASSERT_EQ(code, 0) << text;
+  const std::regex waits("settling \\[#*\\.*\\]  ?[0-9.]+ s of the model, fastest [0-9.]+ mm/s, waits for 5 mm/s");
+  EXPECT_TRUE(std::regex_search(text, waits)) << text;
 }
 
 TEST_F(Terminal, AFileGetsNoBar) {
