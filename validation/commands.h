@@ -14,4 +14,7 @@ void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vec
 // calibrate.
 void add_calibrate_command(CLI::App& app, std::vector<Command>& all);
 
+// view
+void add_view_command(CLI::App& app, std::vector<Command>& all);
+
 }  // namespace furrow::validation

@@ -33,10 +33,11 @@ TEST(Figure, OfAnEarlierRunDoesNotPassForANewOne) {
 // Scripts of figures change, kept studies stay.
 TEST(Figure, OfEachStudyInTheTreeIsDrawn) {
   const Evidence of_the_tree{{}, {}, fs::path(FURROW_SOURCE_DIR) / "reference_data/studies", catalogue()};
-  Drawings drawings;
-  for (const StudyPlace place : {StudyPlace::before_scenes, StudyPlace::after_scenes})
-    EXPECT_NO_THROW(study_sections(of_the_tree, place, drawings));
-  EXPECT_GT(drawings.size(), 20u);
+  Page page;
+  const std::vector<StudyResult> results = study_results(of_the_tree);
+  EXPECT_EQ(results.size(), studies_of_the_page().size());
+  for (const StudyResult& result : results) EXPECT_NO_THROW(study_section(result, "1", page));
+  EXPECT_GT(page.files.size(), 40u) << "drawings and their data";
 }
 
 }  // namespace

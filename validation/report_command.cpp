@@ -1,6 +1,8 @@
 // `furrow report`: the paper's three scenes and one page about them.
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -28,7 +30,7 @@ namespace fs = std::filesystem;
 struct ReportOptions {
   std::string directory = "report";
   std::string scenes = "validation/scenes";
-  bool reuse = false;
+  bool reuse = false, players = false;
   std::string checks, faults, studies;  // what verification left, shown on the page; see Evidence
 };
 
@@ -90,20 +92,71 @@ bool reused(const RunOptions& options, const Scene& scene) {
   return why.empty();
 }
 
+// Times of pictures that make a film, those of the scene file among them; as a value of output.frames.
+std::string film_times(const Scene& scene) {
+  constexpr double most = 120, least_apart = 0.01;  // pictures; s
+  const int count = static_cast<int>(std::min(most, std::floor(scene.time.end / least_apart)));
+  std::vector<double> times = scene.output.frames;
+  for (int k = 0; k <= count; ++k) {
+    const double t = count > 0 ? scene.time.end * k / count : 0;
+    if (std::none_of(times.begin(), times.end(),
+                     [&](double other) { return std::fabs(other - t) < 2 * scene.time.step; }))
+      times.push_back(t);
+  }
+  std::sort(times.begin(), times.end());
+  std::string text;
+  for (const double t : times) text += (text.empty() ? "[" : ", ") + number(t);
+  return text + "]";
+}
+
+// What the players put beside a scene: the name of the run's directory, what the reader is told, and what is changed.
+struct Beside {
+  std::string scene, name, label;
+  std::vector<std::string> set;
+};
+
+const std::vector<Beside>& runs_beside() {
+  static const std::vector<std::string> spheres{"model.disc_mass=\"sphere\"", "settle.step=1e-5",
+                                                "allow.energy_made=1e6", "allow.overlap=100", "allow.step=1e6"};
+  static const auto finer = [](std::vector<std::string> set) {
+    set.emplace_back("time.step=1e-5");
+    return set;
+  };
+  static const std::vector<Beside> all{
+      {"scenario_1", "scenario_1_finer", "with a tenth of the step, 0.01 ms", finer({})},
+      {"scenario_2", "scenario_2_finer", "with a tenth of the step, 0.01 ms", finer({})},
+      {"scenario_2", "scenario_2_spheres", "spheres instead of discs, 0.1 ms", spheres},
+      {"scenario_2", "scenario_2_spheres_finer", "spheres, a tenth of the step, 0.01 ms", finer(spheres)},
+      {"scenario_3", "scenario_3_finer", "with a tenth of the step, 0.01 ms", finer({})}};
+  return all;
+}
+
 int report_command(const ReportOptions& options, const std::vector<Study>& catalogue) {
   std::vector<ReportedRun> runs;
   std::vector<RunOptions> wanted;
   for (const std::string name : {"scenario_3", "scenario_2", "scenario_1"}) {  // the longest first
-    runs.push_back({name, fs::path(options.directory) / name});
-    const RunOptions one{.scene = fs::path(options.scenes) / (name + ".toml"), .directory = runs.back().directory};
-    const Scene scene = requested_scene(one);  // says what is wrong with any of them before the first one starts
-    if (!options.reuse || !reused(one, scene)) wanted.push_back(one);
+    const fs::path file = fs::path(options.scenes) / (name + ".toml"), directory = fs::path(options.directory) / name;
+    const Scene scene = requested_scene({.scene = file});
+    const std::string pictures = "output.frames=" + film_times(scene);
+    const auto want = [&](RunOptions one) {
+      one.set.push_back(pictures);
+      const Scene asked = requested_scene(one);  // says what is wrong with any of them before the first one starts
+      if (!options.reuse || !reused(one, asked)) wanted.push_back(std::move(one));
+    };
+    want({.scene = file, .directory = directory});
+    runs.push_back({name, directory, scene.output.frames});
+    for (const Beside& beside : runs_beside()) {
+      if (!options.players || beside.scene != name) continue;
+      const fs::path place = fs::path(options.directory) / beside.name;
+      want({.scene = file, .set = beside.set, .directory = place});
+      runs.back().others.push_back({beside.label, place});
+    }
   }
   OwnedDirectory directory(options.directory, "report", page_files());
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
-  const Evidence evidence{options.checks, options.faults, options.studies, catalogue};
+  const Evidence evidence{options.checks, options.faults, options.studies, catalogue, now_in_utc()};
   write_report(directory, runs, evidence);
   directory.conclude("finished");
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
@@ -124,6 +177,9 @@ void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vec
       ->capture_default_str()
       ->type_name("DIR");
   report->add_flag("--reuse", reported.reuse, "keep runs that are there and finished, make only the page again");
+  report->add_flag(
+      "--players", reported.players,
+      "run scenes again with a tenth of the step and with spheres, to be put beside the others in the players");
   report->add_option("--checks", reported.checks, "checks.json of the verification tests, to be shown on the page")
       ->type_name("FILE");
   report->add_option("--faults", reported.faults, "faults.json of the fault study, to be shown on the page")

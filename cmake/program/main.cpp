@@ -11,5 +11,6 @@ int main(int argc, char** argv) {
                               [](CLI::App& app, std::vector<furrow::Command>& all) {
                                 furrow::validation::add_report_command(app, all, furrow::validation::catalogue());
                               },
-                              furrow::add_study_commands, furrow::validation::add_calibrate_command});
+                              furrow::validation::add_view_command, furrow::add_study_commands,
+                              furrow::validation::add_calibrate_command});
 }

@@ -17,15 +17,6 @@ namespace {
 
 constexpr int schema = 1;  // of the file
 
-std::string now() {
-  const std::time_t seconds = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
-}
-
 double load_of_the_machine() {
   double load = 0;
   return getloadavg(&load, 1) == 1 ? load : 0;
@@ -50,6 +41,15 @@ bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
 
 }  // namespace
 
+std::string now_in_utc() {
+  const std::time_t seconds = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
 Json json_of(const Maker& m) {
   return {{"commit", m.commit},   {"when", m.when}, {"compiler", m.compiler}, {"flags", m.flags},
           {"machine", m.machine}, {"load", m.load}, {"sources", m.sources}};
@@ -70,7 +70,7 @@ Maker maker_of(const Json& json) {
 Maker this_maker(const Sources& sources) {
   const BuildInfo& build = build_info();
   return {.commit = std::string(build.commit),
-          .when = now(),
+          .when = now_in_utc(),
           .compiler = std::string(build.compiler),
           .flags = std::string(build.flags),
           .machine = processor_name(),

@@ -13,6 +13,9 @@ namespace furrow {
 
 using Json = nlohmann::ordered_json;
 
+// "2026-01-31T12:00:00Z"
+std::string now_in_utc();
+
 // What made results: shared by all those of one call of the program.
 struct Maker {
   std::string commit, when, compiler, flags, machine;  // when: UTC, "2026-01-31T12:00:00Z"

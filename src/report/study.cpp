@@ -17,6 +17,16 @@ std::vector<std::string> refuted(const Json& report) {
   return texts;
 }
 
+Json json_of(Figure figure) {
+  return {{"kind", "figure"},
+          {"name", std::move(figure.name)},
+          {"script", std::move(figure.script)},
+          {"caption", std::move(figure.caption)},
+          {"description", std::move(figure.description)},
+          {"variables", std::move(figure.variables)},
+          {"blocks", std::move(figure.blocks)}};
+}
+
 }  // namespace
 
 Scene scene_named(const std::string& name) {
@@ -27,6 +37,7 @@ Scene scene_named(const std::string& name) {
 Report::Report(std::string title, std::string question) {
   json_ = {{"title", std::move(title)},
            {"question", std::move(question)},
+           {"headlines", Json::array()},
            {"parts", Json::array()},
            {"claims", Json::array()}};
 }
@@ -48,13 +59,12 @@ Report& Report::table(std::string caption, std::vector<std::string> head, std::v
 }
 
 Report& Report::figure(Figure figure) {
-  json_["parts"].push_back({{"kind", "figure"},
-                            {"name", std::move(figure.name)},
-                            {"script", std::move(figure.script)},
-                            {"caption", std::move(figure.caption)},
-                            {"description", std::move(figure.description)},
-                            {"variables", std::move(figure.variables)},
-                            {"blocks", std::move(figure.blocks)}});
+  json_["parts"].push_back(json_of(std::move(figure)));
+  return *this;
+}
+
+Report& Report::first_figure(const Figure& figure) {
+  json_["first_figure"] = json_of(figure);
   return *this;
 }
 
@@ -67,8 +77,14 @@ Report& Report::claim(Claim claim) {
   return *this;
 }
 
+Report& Report::headline(Headline headline) {
+  json_["headlines"].push_back(
+      {{"tile", std::move(headline.tile)}, {"value", std::move(headline.value)}, {"text", std::move(headline.text)}});
+  return *this;
+}
+
 Report& Report::append(const Report& other) {
-  for (const char* list : {"parts", "claims"}) {
+  for (const char* list : {"headlines", "parts", "claims"}) {
     for (const Json& one : other.json_.at(list)) json_[list].push_back(one);
   }
   return *this;

@@ -28,6 +28,11 @@ struct Claim {
   bool timed = false;  // rests on measured times: cannot hold by numbers older than the solver
 };
 
+// What the first screen of the page says of a study. `tile`: the part of the page whose question it answers.
+struct Headline {
+  std::string tile, value, text;  // "paper", "29 of 72", "judgements of ..."
+};
+
 // What the page shows of a study, part by part. Cells of tables: numbers are shown with three digits, texts as they
 // are, null and NaN as missing. All words are plain text.
 class Report {
@@ -39,6 +44,8 @@ class Report {
   Report& figure(Figure figure);
   Report& claim(Claim claim);
   Report& claim(const std::string& text, bool holds) { return claim({.text = text, .value = "", .holds = holds}); }
+  Report& headline(Headline headline);
+  Report& first_figure(const Figure& figure);  // beside the headline
   // The parts and claims of another report.
   Report& append(const Report& other);
   // What is not for the eye: all numbers behind the tables and figures.

@@ -110,7 +110,7 @@ TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
        {std::tuple<std::string, Spoil, const char*>{"plate_force.csv", half, "plate_force.csv ends at t = 0.02"},
         {"energy.csv", half, "energy.csv ends at t = 0.02"},
         {"energy.csv", in_a_line, "energy.csv: is cut short"},
-        {"frames/frames.csv", without_last, "frames.csv has 0 of 1 pictures"},
+        {"frames/frames.csv", without_last, "frames.csv has 5 of 6 pictures"},
         {"scene.toml", longer, "its scene.toml is of another scene"}}) {
     const fs::path place = directory_ / "page/scenario_2" / file;
     const std::string sound = text_of(place);

@@ -3,10 +3,10 @@
 
 #include "output/build_info.h"
 #include "output/files.h"
-#include "report/embedded.h"
 #include "scene/read.h"
 #include "scene/wording.h"
 #include "validation/calibration/calibration.h"
+#include "validation/page/html.h"
 #include "validation/page/studies.h"
 
 namespace furrow::validation {
@@ -114,12 +114,13 @@ void write_calibration(const Calibration& c, const fs::path& directory) {
   const Json section = report_of(c).json();
   json["section"] = section;
   replace_file(directory / "calibration.json", json.dump(1) + "\n");
-  Drawings drawings;
-  const std::string html = chapter_html(section, false, drawings);
+  Page page;
+  const std::string html = chapter_html({.name = "calibration", .report = section, .age = {}, .numbers = {}}, "", page);
+  for (const auto& [name, content] : page.files) replace_file(directory / name, content);
   replace_file(directory / "calibration.html",
                "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                    escaped(c.targets.title) + "</title>\n<style>\n" +
-                   std::string(embedded("validation/figures/page.css")) +
+                   std::string(page_file("page.css")) +
                    "</style>\n</head>\n<body>\n<main>\n<section>\n" + html + "</section>\n</main>\n</body>\n</html>\n");
 }
 

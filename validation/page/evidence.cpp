@@ -6,6 +6,7 @@
 
 #include "output/files.h"
 #include "report/seal.h"
+#include "validation/page/page_parts.h"
 
 namespace furrow::validation {
 namespace {
@@ -91,9 +92,11 @@ std::string unfit_faults(const ordered_json& study) {
 }  // namespace
 
 const std::vector<std::string>& studies_of_the_page() {
-  static const std::vector<std::string> all{"convergence",    "statements", "ensemble",  "geometry",
-                                            "outlook",        "order",      "published", "stability",
-                                            "work_precision", "need",       "speed"};
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const PagePart& part : page_parts()) names.insert(names.end(), part.studies.begin(), part.studies.end());
+    return names;
+  }();
   return all;
 }
 

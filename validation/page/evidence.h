@@ -16,10 +16,10 @@ struct Evidence {
   std::filesystem::path faults;     // faults.json, written by the fault study
   std::filesystem::path studies{};  // directory of the numbers of `furrow study`
   std::vector<Study> catalogue{};   // whose chapters make the words
+  std::string when{};               // of the page, UTC
 };
 
-// The studies that a page shows, in the order in which a reader wants them. The first comes before the scenes: it says
-// how their numbers are to be taken.
+// The studies that a page shows, in the order of its parts.
 const std::vector<std::string>& studies_of_the_page();
 
 // What is wrong with a file; empty if it can be shown.

@@ -65,7 +65,7 @@ std::string matrix_row(const ordered_json& fault, const Suites& suites, const Su
 }
 
 // Faults, file by file, against test suites: how many tests of a suite notice a fault.
-std::string matrix(const std::vector<ordered_json>& faults, const ordered_json& study) {
+std::string matrix(const std::vector<ordered_json>& faults, const ordered_json& study, Page& page) {
   std::map<std::string, int> noticed_by;  // suite: faults
   std::map<std::string, std::vector<ordered_json>> files;
   Suites suites;
@@ -76,25 +76,29 @@ std::string matrix(const std::vector<ordered_json>& faults, const ordered_json& 
   for (const auto& [suite, count] : noticed_by) suites.insert(suite);
   const Suites methods = suites_of(study.at("groups").value("methods", ordered_json::array()));
 
-  std::string head = element("th", "Fault") + element("th", "<span>tests that notice it</span>", "upright") +
-                     element("th", "<span>kernel against reference, alone</span>", "upright");
-  std::string foot = element("th", "Faults that the page notices") + element("td", "") +
+  const auto upright = [](const std::string& words) {
+    return "<th scope=\"col\" class=\"upright\"><span>" + words + "</span></th>";
+  };
+  std::string head = head_cell("Fault") + upright("tests that notice it") + upright("kernel against reference, alone");
+  std::string foot = "<th scope=\"row\">Faults that the page notices</th>" + element("td", "") +
                      element("td", std::to_string(noticed_by_property(faults)), "number");
   for (const std::string& suite : suites) {
-    head += element("th", "<span>" + escaped(suite) + "</span>", "upright");
+    head += upright(escaped(suite));
     foot += element("td", std::to_string(noticed_by[suite]), "number");
   }
   std::string rows;
   for (const auto& [file, those] : files) {
-    rows += element(
-        "tr", "<th class=\"file\" colspan=\"" + std::to_string(suites.size() + 3) + "\">" + escaped(file) + "</th>");
+    rows += element("tr", "<th scope=\"rowgroup\" class=\"file\" colspan=\"" + std::to_string(suites.size() + 3) +
+                              "\">" + escaped(file) + "</th>");
     for (const ordered_json& fault : those) rows += matrix_row(fault, suites, methods);
   }
-  return "<div class=\"scroll\"><table class=\"matrix\">" + element("thead", element("tr", head)) +
-         element("tbody", rows) + element("tfoot", element("tr", foot)) + "</table></div>";
+  rows += element("tr", foot, "foot");
+  return framed({page.id("table faults"),
+                 "Faults by file, and how many tests of each page of verification/ notice them.", "Faults",
+                 "matrix plain", head, rows});
 }
 
-std::string constants_table(const std::vector<ordered_json>& constants) {
+std::string constants_table(const std::vector<ordered_json>& constants, Page& page) {
   std::string rows;
   for (const ordered_json& entry : constants) {
     std::string by;
@@ -106,13 +110,14 @@ std::string constants_table(const std::vector<ordered_json>& constants) {
                           element("td", found ? shown(entry["smallest_noticed"].get<double>()) : missing, "number") +
                           element("td", "<small>" + by + "</small>"));
   }
-  return "<table class=\"torn\"><caption>The smallest relative change, to a power of ten, that some test notices, and "
-         "the tests of the first page that does.</caption>"
-         "<thead><tr><th>Constant</th><th class=\"number\">Change</th><th>Noticed by</th></tr></thead>" +
-         element("tbody", rows) + "</table>";
+  return framed({page.id("table smallest change noticed"),
+                 "The smallest relative change, to a power of ten, that some test notices, and the tests of the first "
+                 "page that does.",
+                 "Smallest change noticed", "study",
+                 head_cell("Constant") + head_cell("Relative change", true) + head_cell("Noticed by"), rows});
 }
 
-std::string silent_table(const ordered_json& tests) {
+std::string silent_table(const ordered_json& tests, Page& page) {
   std::string rows;
   for (const auto& [test, why] : tests.items()) {
     const std::string reason = why.get<std::string>();
@@ -120,8 +125,10 @@ std::string silent_table(const ordered_json& tests) {
                                                                          : element("td", escaped(reason))));
   }
   return "<details><summary>The " + std::to_string(tests.size()) +
-         " tests that noticed none of them, and why they are kept</summary><table class=\"torn\">" +
-         element("tbody", rows) + "</table></details>";
+         " tests that noticed none of them, and why they are kept</summary>" +
+         framed({page.id("table noticed nothing"), "", "Tests that noticed none of the faults", "study",
+                 head_cell("Test") + head_cell("Why it is kept"), rows}) +
+         "</details>";
 }
 
 // "Tried on commits 63b8b18 and e6239ba"; of the property with another key.
@@ -151,7 +158,7 @@ std::string property_sentence(const std::vector<ordered_json>& faults, const ord
 
 }  // namespace
 
-std::string faults_part(const ordered_json& study) {
+std::string faults_part(const ordered_json& study, Page& page) {
   const std::vector<ordered_json> faults = of_kind(study, "fault");
   const std::vector<ordered_json> constants = of_kind(study, "constant");
   const auto noticed =
@@ -163,9 +170,10 @@ std::string faults_part(const ordered_json& study) {
                ". A number says how many tests of a page fail. A dash: the page was not run, because it measures "
                "methods, the fault is not in one, and other pages noticed it.");
   if (const std::string words = property_sentence(faults, study); !words.empty()) html += element("p", words);
-  html += matrix(faults, study);
-  if (!constants.empty()) html += constants_table(constants);
-  if (!study.at("noticed_nothing").empty()) html += silent_table(study.at("noticed_nothing"));
+  html += "<details class=\"unfold\"><summary>Each fault and who notices it</summary>" + matrix(faults, study, page) +
+          "</details>";
+  if (!constants.empty()) html += constants_table(constants, page);
+  if (!study.at("noticed_nothing").empty()) html += silent_table(study.at("noticed_nothing"), page);
   return html;
 }
 

@@ -4,9 +4,11 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "validation/page/page.h"
+
 namespace furrow::validation {
 
 // `study` is faults.json, see verification/fault_study.
-std::string faults_part(const nlohmann::ordered_json& study);
+std::string faults_part(const nlohmann::ordered_json& study, Page& page);
 
 }  // namespace furrow::validation

@@ -1,10 +1,13 @@
 #include "validation/page/gnuplot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "output/child.h"
 #include "output/files.h"
+#include "report/embedded.h"
+#include "validation/page/svg.h"
 
 namespace furrow::validation {
 namespace {
@@ -35,6 +38,18 @@ std::string drawn_by_gnuplot(const std::string& script, const std::string& figur
   return end.output;
 }
 
+// What the lines at the head of a script say of the blocks goes before them.
+std::string data_of(const PlotInput& input, std::string_view script) {
+  if (input.csv().empty()) return {};
+  std::string head;
+  for (std::size_t at = 0; at < script.size() && script[at] == '#';) {
+    const std::size_t end = std::min(script.find('\n', at), script.size());
+    head += std::string(script.substr(at, end - at)) + "\n";
+    at = end + 1;
+  }
+  return head + input.csv();
+}
+
 }  // namespace
 
 PlotInput& PlotInput::set(std::string_view name, double value) {
@@ -50,8 +65,13 @@ PlotInput& PlotInput::set(std::string_view name, std::string_view text) {
 PlotInput& PlotInput::block(std::string_view name, const std::vector<Row>& rows) {
   text_ += "$" + std::string(name) + " << END_OF_BLOCK\n";
   for (const auto& [values, label] : rows) {
-    for (const double value : values) text_ += gnuplot_number(value) + ",";
+    csv_ += name;
+    for (const double value : values) {
+      text_ += gnuplot_number(value) + ",";
+      csv_ += "," + number(value);
+    }
     text_ += '"' + label + "\"\n";
+    csv_ += label.empty() ? "\n" : ",\"" + replaced(label, "\"", "\"\"") + "\"\n";
   }
   if (rows.empty()) text_ += "-1e9,-1e9,-1e9,-1e9\n";
   text_ += "END_OF_BLOCK\n";
@@ -60,15 +80,13 @@ PlotInput& PlotInput::block(std::string_view name, const std::vector<Row>& rows)
 
 std::string draw(const PlotInput& input, std::string_view script, Drawings& drawings, const std::string& name,
                  std::string_view description) {
-  std::string text = drawn_by_gnuplot(
-      "set encoding utf8\nset datafile separator comma\nset terminal svg\n" + input.text() + std::string(script), name);
-  drawings[name + ".svg"] = text;
-  text.erase(0, text.find("<svg"));
-  for (const std::string before : {" id='", " id=\"", "href='#", "href=\"#", "url(#"}) {
-    text = replaced(std::move(text), before, before + name + "_");
-  }
-  text = replaced(std::move(text), "<title>Gnuplot</title>", "");
-  return text.replace(0, 4, "<svg role=\"img\" aria-label=\"" + escaped(description) + "\"");
+  const std::string drawing =
+      drawn_by_gnuplot("set encoding utf8\nset datafile separator comma\nset terminal svg\n" + input.text() +
+                           std::string(embedded("validation/figures/palettes.gp")) + std::string(script),
+                       name);
+  drawings[name + ".svg"] = drawing;
+  if (std::string data = data_of(input, script); !data.empty()) drawings[name + ".csv"] = std::move(data);
+  return compacted(drawing, name, std::string(description));
 }
 
 std::string escaped(std::string_view text) {

@@ -19,16 +19,18 @@ class PlotInput {
   using Row = std::pair<std::vector<double>, std::string>;
   PlotInput& block(std::string_view name, const std::vector<Row>& rows);
   const std::string& text() const { return text_; }
+  // The blocks again, as comma separated values: the block's name, its numbers, its label. Empty if there are none.
+  const std::string& csv() const { return csv_; }
 
  private:
-  std::string text_;
+  std::string text_, csv_;
 };
 
-// The figures of a page as they are drawn: SVG by the name of its file.
+// The figures of a page as they are drawn, SVG by the name of its file, and what they show, as CSV.
 using Drawings = std::map<std::string, std::string>;
 
-// Draws NAME.svg and returns the drawing as an element of a page: every id and reference is prefixed by the name,
-// `description` is for those who cannot see it. Throws std::runtime_error if gnuplot is not installed, fails, draws
+// Draws NAME.svg, puts the blocks of its data beside it as NAME.csv, and returns the drawing as an element of a page, see
+// svg.h; `description` is for those who cannot see it. Throws std::runtime_error if gnuplot is not installed, fails, draws
 // nothing, or does not end within a minute; Interrupted.
 std::string draw(const PlotInput& input, std::string_view script, Drawings& drawings, const std::string& name,
                  std::string_view description);

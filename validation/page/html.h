@@ -42,8 +42,4 @@ inline std::string element(const std::string& tag, const std::string& content, c
   return "<" + tag + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + content + "</" + tag + ">\n";
 }
 
-inline std::string figure(const std::string& content, const std::string& caption) {
-  return element("figure", content + element("figcaption", caption));
-}
-
 }  // namespace furrow::validation

@@ -4,13 +4,18 @@
 #include <cmath>
 #include <map>
 
+#include "methods/method.h"
 #include "output/files.h"
 #include "report/embedded.h"
-#include "validation/page/gnuplot.h"
+#include "validation/page/film.h"
 #include "validation/page/html.h"
 #include "validation/page/observables.h"
+#include "validation/page/page.h"
+#include "validation/page/page_parts.h"
 #include "validation/page/scene_section.h"
 #include "validation/page/studies.h"
+#include "validation/page/summary.h"
+#include "validation/page/svg.h"
 #include "validation/page/template.h"
 #include "validation/page/validity_part.h"
 #include "validation/page/verification.h"
@@ -19,7 +24,7 @@ namespace furrow::validation {
 namespace {
 
 // run.json of all runs, one row a fact; what all runs share fills one cell.
-std::string how_made(const std::vector<RunRecord>& runs) {
+std::string how_made(const std::vector<RunRecord>& runs, Page& page) {
   const std::map<std::string, std::string> labels{{"step", "step [s]"},
                                                   {"end", "end [s]"},
                                                   {"ended_at", "ended at [s]"},
@@ -36,9 +41,8 @@ std::string how_made(const std::vector<RunRecord>& runs) {
                                                   {"plate_meets_lattice", "plate meets lattice [s]"}};
   if (runs.empty()) return {};
   const auto fewer = [](const RunRecord& a, const RunRecord& b) { return a.facts.size() < b.facts.size(); };
-  std::string rows = "<tr><th></th>";
-  for (const RunRecord& run : runs) rows += element("th", escaped(run.name));
-  rows = element("thead", rows + "</tr>");
+  std::string head = head_cell("fact"), rows;
+  for (const RunRecord& run : runs) head += head_cell(escaped(run.name));
   for (const Fact& fact : std::max_element(runs.begin(), runs.end(), fewer)->facts) {
     const std::string& key = fact.key;
     if (key == "title" || key == "warnings") continue;
@@ -52,9 +56,11 @@ std::string how_made(const std::vector<RunRecord>& runs) {
     const bool shared = std::count(cells.begin(), cells.end(), cells[0]) == static_cast<long>(cells.size());
     if (shared) row = "<td colspan=\"" + std::to_string(cells.size()) + "\">" + cells[0] + "</td>";
     for (std::size_t k = 0; k < cells.size() && !shared; ++k) row += element("td", cells[k]);
-    rows += element("tr", element("th", labels.contains(key) ? labels.at(key) : escaped(label)) + row);
+    rows +=
+        element("tr", "<th scope=\"row\">" + (labels.contains(key) ? labels.at(key) : escaped(label)) + "</th>" + row);
   }
-  return rows;
+  return framed({page.id("table runs"), "What run.json says of the runs behind this page.", "The runs", "made plain",
+                 head, rows});
 }
 
 // N, of all steps, where run.json says it.
@@ -87,34 +93,164 @@ std::string missing_part(const Evidence& evidence) {
                        : element("section", element("h2", "What is missing here") + element("ul", lines, "missing"));
 }
 
+// A table of all methods, to stand before their names are used.
+std::string methods_table(Page& page) {
+  std::string rows;
+  for (const MethodInfo& m : method_catalogue()) {
+    rows += element("tr", "<th scope=\"row\"><code>" + escaped(m.name) + "</code></th>" +
+                              element("td", escaped(m.title)) + element("td", std::to_string(m.order), "number") +
+                              element("td", m.evaluations == 0 ? "varies" : std::to_string(m.evaluations), "number") +
+                              element("td", m.controlled ? "chosen by a tolerance" : "fixed"));
+  }
+  return framed({page.id("table methods"), "The methods, as furrow names them.", "Methods", "study",
+                 head_cell("Name") + head_cell("What it is") + head_cell("Order", true) +
+                     head_cell("Evaluations a step", true) + head_cell("Step"),
+                 rows});
+}
+
+// What the sections of a part are, in order, and the lines of the contents that lead to them.
+struct PartText {
+  std::string html, contents;
+};
+
+std::string line_of(const std::string& id, const std::string& number, const std::string& words) {
+  return "<li><a href=\"#" + id + "\"><span>" + number + "</span> " + words + "</a></li>\n";
+}
+
+using Films = std::map<std::string, std::vector<Film>>;  // by the name of the run
+
+// Displacements of the plate where the stills are. mm
+std::vector<double> places_of(const RunRecord& run, const std::vector<double>& stills) {
+  std::vector<double> places;
+  for (const double t : stills) places.push_back(plate_speed(run) * t);
+  return places;
+}
+
+std::vector<Film> films_of(const ReportedRun& reported, const RunRecord& run) {
+  std::vector<Film> films;
+  const auto add = [&](const std::string& id, const std::string& label, const RunRecord& shown,
+                       const std::filesystem::path& directory) {
+    if (shown.frames.size() >= least_film)
+      films.push_back({id, label, film_of(shown, directory, places_of(run, reported.stills))});
+  };
+  add("film_" + run.name, "as on this page", run, reported.directory);
+  for (std::size_t k = 0; k < reported.others.size() && !films.empty(); ++k) {
+    const OtherRun& other = reported.others[k];
+    const RunRecord record = read_run(run.name, other.directory);
+    add("film_" + run.name + "_" + std::to_string(k + 1), other.label + (record.finished() ? "" : ", ended early"),
+        record, other.directory);
+  }
+  return films;
+}
+
+// The run as if it had been asked for its stills alone: what the page says of pictures is of those that the paper has.
+void keep_stills(RunRecord& run, const std::vector<double>& stills) {
+  if (stills.empty()) return;
+  const double near = plate_speed(run) * 2 * run.scene.time.step + 1e-9;  // mm
+  std::vector<Frame> kept;
+  for (const double place : places_of(run, stills)) {
+    for (Frame& frame : run.frames) {
+      if (std::fabs(frame.mm - place) > near) continue;
+      kept.push_back(std::move(frame));
+      break;
+    }
+  }
+  run.frames = std::move(kept);
+  run.scene.output.frames = stills;
+}
+
+class PageWriter {
+ public:
+  PageWriter(const std::vector<RunRecord>& runs, const Films& films, const Evidence& evidence, Page& page)
+      : runs_(runs), films_(films), evidence_(evidence), page_(page), studies_(study_results(evidence)) {}
+
+  std::string html() {
+    std::string contents, parts, films;
+    for (const auto& [name, some] : films_) films += film_elements(some);
+    const std::string first = summary(runs_, evidence_, studies_, page_);
+    const std::string methods = methods_table(page_);
+    int number = 0;
+    for (const PagePart& part : page_parts()) {
+      const PartText text = part_text(part, std::to_string(++number));
+      contents += "<li><a href=\"#part_" + part.id + "\"><span>" + std::to_string(number) + "</span> " + part.title +
+                  "</a>" + (text.contents.empty() ? "" : element("ol", text.contents)) + "</li>\n";
+      parts += "<section class=\"part\" id=\"part_" + part.id + "\">\n" +
+               heading(2, page_.id(part.title), element("span", std::to_string(number), "section") + part.title) +
+               element("p", part.question, "lead") + text.html + "</section>\n";
+    }
+    return filled(page_file("page.html"), {{"style", page_file("page.css") + page_file("player.css")},
+                                           {"marks", shared_marks()},
+                                           {"paper", escaped(paper_.title)},
+                                           {"contents", contents},
+                                           {"summary", first},
+                                           {"missing", missing_part(evidence_)},
+                                           {"methods", methods},
+                                           {"parts", parts},
+                                           {"films", films},
+                                           {"script", page_file("page.js") + page_file("player.js")}});
+  }
+
+ private:
+  PartText part_text(const PagePart& part, const std::string& number) {
+    PartText text;
+    int section = 0;
+    const auto next = [&] { return number + "." + std::to_string(++section); };
+    if (part.id == "scenes") {
+      for (const RunRecord& run : runs_) {
+        const std::string here = next();
+        text.contents +=
+            line_of(run.name, here,
+                    "Scene " + run.name.substr(run.name.rfind('_') + 1) +
+                        (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
+        text.html += scene_section(run, paper_, here,
+                                   films_.contains(run.name) ? player_element(films_.at(run.name)) : "", page_);
+      }
+    }
+    if (part.id == "right") {
+      text.contents += line_of("verification", next(), "Checks");
+      text.contents += line_of("faults", next(), "Faults put in");
+      text.html += verification_section(evidence_, number, page_);
+    }
+    for (const StudyResult& study : studies_) {
+      if (std::find(part.studies.begin(), part.studies.end(), study.name) == part.studies.end()) continue;
+      const std::string here = next();
+      text.contents +=
+          line_of("study_" + study.name, here, typeset(escaped(study.report.at("title").get<std::string>())));
+      text.html += study_section(study, here, page_);
+    }
+    if (part.id == "made")
+      text.html += ages(studies_, page_) + how_made(runs_, page_) +
+                   element("p",
+                           "The state hash is of every bit of the final state; the determinism tests show that it does "
+                           "not depend on compiler, optimisation or vector width.",
+                           "note");
+    return text;
+  }
+
+  const std::vector<RunRecord>& runs_;
+  const Films& films_;
+  const Evidence& evidence_;
+  Page& page_;
+  std::vector<StudyResult> studies_;
+  Publication paper_ = read_publication(embedded("validation/statements.toml"));
+};
+
 }  // namespace
 
 std::vector<std::string> page_files() { return {"index.html", "scenes.md"}; }
 
 void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& reported, const Evidence& evidence) {
-  const Publication paper = read_publication(embedded("validation/statements.toml"));
   std::vector<RunRecord> runs;
-  for (const ReportedRun& r : reported) runs.push_back(read_run(r.name, r.directory));
-  Drawings files;
-  std::string contents, scenes;
-  for (const RunRecord& run : runs) {
-    contents +=
-        element("li", "<a href=\"#" + run.name + "\">" + escaped(run.scene.title) + "</a>" +
-                          (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
-    scenes += scene_section(run, paper, files);
+  Films films;
+  for (const ReportedRun& r : reported) {
+    runs.push_back(read_run(r.name, r.directory));
+    films[r.name] = films_of(r, runs.back());
+    keep_stills(runs.back(), r.stills);
   }
-  const StudyPlace before = StudyPlace::before_scenes, after = StudyPlace::after_scenes;
-  files["index.html"] = filled(figure_file("page.html"),
-                               {{"style", figure_file("page.css")},
-                                {"paper", escaped(paper.title)},
-                                {"contents", contents},
-                                {"scenes", scenes},
-                                {"first_contents", study_contents(evidence, before)},
-                                {"first_study", missing_part(evidence) + study_sections(evidence, before, files)},
-                                {"study_contents", study_contents(evidence, after)},
-                                {"studies", study_sections(evidence, after, files)},
-                                {"verification", verification_section(evidence)},
-                                {"made", how_made(runs)}});
+  Page page;
+  const std::string html = PageWriter(runs, films, evidence, page).html();
+  Drawings& files = page.files;
+  files["index.html"] = html;
   files["scenes.md"] = scene_table(runs) + "\nWhat they do to the validity of their laws:\n\n" + validity_table(runs);
   std::vector<std::string> names;
   for (const auto& [name, text] : files) names.push_back(name);

@@ -10,10 +10,20 @@
 
 namespace furrow::validation {
 
+// A run to be put beside another in its player.
+struct OtherRun {
+  std::string label;
+  std::filesystem::path directory;
+};
+
 struct ReportedRun {
   std::string name;                 // "scenario_1" ...: the scene as validation/statements.toml calls it
   std::filesystem::path directory;  // where the run's files are
+  std::vector<double> stills{};     // s: pictures that stand on the page, as the paper has them; none: all are such
+  std::vector<OtherRun> others{};
 };
+
+constexpr std::size_t least_film = 20;  // pictures: with fewer a run has no player
 
 // What every report writes, to take its directory for.
 std::vector<std::string> page_files();

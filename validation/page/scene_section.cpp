@@ -40,25 +40,31 @@ std::string ending(const RunRecord& run) {
 // The page's part of one run; `drawings` is where the figures go.
 class SceneSection {
  public:
-  SceneSection(const RunRecord& run, const Publication& paper, Drawings& drawings) : run_(run), drawings_(drawings) {
+  SceneSection(const RunRecord& run, const Publication& paper, Page& page) : run_(run), page_(page) {
     for (const Statement& s : paper.statements) {
       if (s.scene == run.name) statements_.push_back(s);
     }
   }
 
-  std::string html() const {
-    return filled(figure_file("scene.html"), {{"name", run_.name},
-                                              {"title", escaped(run_.scene.title)},
-                                              {"ending", ending(run_)},
-                                              {"force", force()},
-                                              {"energy", energy()},
-                                              {"snapshots", snapshots(run_, drawings_)},
-                                              {"validity", validity_part(run_)},
-                                              {"statements", statements()},
-                                              {"torn", torn()}});
+  std::string html(const std::string& number, const std::string& player) const {
+    return filled(page_file("scene.html"),
+                  {{"id", page_.id(run_.name)},
+                   {"heading", heading(3, page_.id(run_.name + " scene"),
+                                       element("span", number, "section") + escaped(run_.scene.title))},
+                   {"ending", ending(run_)},
+                   {"player", player},
+                   {"force", force()},
+                   {"energy", energy()},
+                   {"snapshots", snapshots(run_, page_)},
+                   {"validity", validity_part(run_, page_)},
+                   {"statements_heading", heading(4, page_.id(run_.name + " beside the paper"), "Beside the paper")},
+                   {"statements", statements()},
+                   {"torn", torn()}});
   }
 
  private:
+  static std::string plot(const std::string& svg) { return "<div class=\"plot\">" + svg + "</div>"; }
+
   std::string figure_name(const char* what) const { return run_.name + "_" + what; }
 
   std::string force() const {
@@ -89,11 +95,15 @@ class SceneSection {
         .set("bottom", low - 0.04 * (low < 0 ? high - low : 0))
         .set("top", high + 0.1 * (high - low));
     input.block("force", curve).block("peaks", peaks).block("levels", levels).block("uprights", uprights);
-    return figure(
-        drawn(input, "force.gp", drawings_, figure_name("force"), "Force on the plate against its displacement"),
-        "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
-        "sum is largest, " +
-            largest() + "; dotted: the numbers that the paper gives.");
+    return framed(page_,
+                  {page_.id("figure " + figure_name("force")),
+                   plot(drawn(input, "force.gp", page_.files, figure_name("force"),
+                              run_.scene.title + ": the force on the plate against its displacement; it is largest, " +
+                                  bare(largest()))),
+                   "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
+                   "sum is largest, " +
+                       largest() + "; dotted: the numbers that the paper gives.",
+                   figure_name("force")});
   }
 
   // Of all steps, where run.json says it; the rows of the curve miss what is between them.
@@ -127,11 +137,18 @@ class SceneSection {
     caption += " and " + with_unit(stored(last) - stored(0), "J") +
                " are stored; the residual, what the ledger cannot place, is " + with_unit(residual, "J") + " (" +
                with_unit(100 * residual / work, "%") + " of the work).";
+    if (residual > 0.01 * work)
+      caption +=
+          " The method made that energy out of nothing, since its step is too long: the stack rises above the dashed "
+          "line.";
     PlotInput input;
     input.set("end", travel(run_)).set("speed", plate_speed(run_)).set("start", stored(0)).set("energy", t.file());
     input.set("rows_apart", std::max(1.0, std::floor(static_cast<double>(t.rows()) / 400)));
-    return figure(drawn(input, "energy.gp", drawings_, figure_name("energy"), "Energy ledger against displacement"),
-                  caption);
+    const std::string said = "Energy against displacement: of " + bare(with_unit(work, "J")) + " of work " +
+                             bare(with_unit(residual, "J")) + " is not accounted for";
+    return framed(page_, {page_.id("figure " + figure_name("energy")),
+                          plot(drawn(input, "energy.gp", page_.files, figure_name("energy"), said)), caption,
+                          figure_name("energy"), "<a href=\"" + run_.name + "/energy.csv\">data (CSV)</a>"});
   }
 
   std::string statements() const {
@@ -155,7 +172,9 @@ class SceneSection {
                                 element("td", got, ours.words.empty() ? "number" : "words") +
                                 element("td", difference_cell, "number"));
     }
-    return rows;
+    return framed({page_.id("table " + run_.name + " beside the paper"), "", run_.scene.title + ", beside the paper",
+                   "statements",
+                   head_cell("Quantity") + head_cell("Paper") + head_cell("furrow") + head_cell("Difference"), rows});
   }
 
   std::string torn() const {
@@ -177,11 +196,16 @@ class SceneSection {
       }
       rows += element("tr", row);
     }
-    return filled(figure_file("torn.html"), {{"rows", rows}});
+    return framed({page_.id("table " + run_.name + " torn links"),
+                   "Torn links by kind, and the displacement of the plate at the first and the last.", "Torn links",
+                   "study",
+                   head_cell("Kind") + head_cell("Links", true) + head_cell("Torn", true) +
+                       head_cell("Of them to a fixed node", true) + head_cell("First", true) + head_cell("Last", true),
+                   rows});
   }
 
   const RunRecord& run_;
-  Drawings& drawings_;
+  Page& page_;
   std::vector<Statement> statements_;
 };
 
@@ -196,8 +220,9 @@ std::string fact_shown(const RunRecord& run, const std::string& key) {
   return all.empty() ? "none" : all;
 }
 
-std::string scene_section(const RunRecord& run, const Publication& paper, Drawings& drawings) {
-  return SceneSection(run, paper, drawings).html();
+std::string scene_section(const RunRecord& run, const Publication& paper, const std::string& number,
+                          const std::string& player, Page& page) {
+  return SceneSection(run, paper, page).html(number, player);
 }
 
 }  // namespace furrow::validation

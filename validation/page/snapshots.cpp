@@ -12,7 +12,7 @@ namespace {
 
 class Snapshots {
  public:
-  Snapshots(const RunRecord& run, Drawings& drawings) : run_(run), drawings_(drawings) {}
+  Snapshots(const RunRecord& run, Page& page) : run_(run), page_(page) {}
 
   std::string html() const {
     const View v = view();
@@ -35,7 +35,9 @@ class Snapshots {
       panels +=
           element("p", with_unit(plate_speed(run_) * run_.scene.output.frames[k], "mm") + ": " + missing, "absent");
     }
-    return figure(element("div", bars, "bars") + element("div", panels, v.wide() ? "panels" : "panels tall"), caption);
+    return framed(page_, {page_.id("figure " + run_.name + " snapshots"),
+                          element("div", bars, "bars") + element("div", panels, v.wide() ? "panels" : "panels tall"),
+                          caption, "", "<a href=\"" + run_.name + "/frames/frames.csv\">data (CSV)</a>"});
   }
 
  private:
@@ -119,24 +121,24 @@ class Snapshots {
     input.set("x0", v.x0).set("x1", v.x1).set("y0", v.y0).set("y1", v.y1).set("caption", letter + ") " + mm);
     input.set("stress_top", stress.top / 1e3).set("force_top", force.top).set("weight", has_weight() ? 1 : 0);
     input.set("links", f.links.file()).set("plates", f.plates.file()).block("walls", walls).block("discs", discs);
-    return drawn(input, "panel.gp", drawings_, figure_name("snapshot_" + letter), "Snapshot at " + mm);
+    return drawn(input, "panel.gp", page_.files, figure_name("snapshot_" + letter), "Snapshot at " + mm);
   }
 
   std::string bar(const std::string& name, double low, double high, const std::string& title,
                   const std::string& palette) const {
     PlotInput input;
     input.set("low", low).set("high", high).set("title", title).set("palette_name", palette);
-    return drawn(input, "bar.gp", drawings_, figure_name(name), "Colour scale: " + title);
+    return drawn(input, "bar.gp", page_.files, figure_name(name), "Colour scale: " + title);
   }
 
   std::string figure_name(const std::string& what) const { return run_.name + "_" + what; }
 
   const RunRecord& run_;
-  Drawings& drawings_;
+  Page& page_;
 };
 
 }  // namespace
 
-std::string snapshots(const RunRecord& run, Drawings& drawings) { return Snapshots(run, drawings).html(); }
+std::string snapshots(const RunRecord& run, Page& page) { return Snapshots(run, page).html(); }
 
 }  // namespace furrow::validation

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <vector>
 
-#include "report/embedded.h"
 #include "validation/page/evidence.h"
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
+#include "validation/page/template.h"
 
 namespace furrow::validation {
 namespace {
 
 using nlohmann::ordered_json;
-
-struct Result {
-  std::string name;
-  ordered_json json;
-  std::string age;  // HTML: when, by which commit and machine the numbers were made, and what changed since
-  bool old_times = false;
-};
 
 std::string text(const ordered_json& entry, const char* key) {
   return typeset(escaped(entry.at(key).get<std::string>()));
@@ -39,35 +31,46 @@ std::string breakable(const std::string& words) {
 std::string cell(const ordered_json& value, bool in_numbers) {
   if (value.is_number()) return element("td", shown(value.get<double>()), "number");
   if (!value.is_string()) return element("td", missing, in_numbers ? "number" : "");
-  const std::string words = value.get<std::string>();
+  const std::string words = value.get<std::string>(), chip = chip_or_words(words);
+  if (chip[0] == '<') return element("td", chip);
   return element("td", breakable(words), in_numbers && words.find(' ') == std::string::npos ? "number" : "");
 }
 
-constexpr std::size_t wide = 8;  // columns: as many go into the page in small print only
+constexpr std::size_t wide = 8;    // columns: as many go into the page in small print only
+constexpr std::size_t groups = 3;  // rows that begin alike, on average: from there they fold
+
+// Whether rows that follow each other begin with the same words, as those of one scene do.
+bool comes_in_groups(const ordered_json& rows) {
+  std::size_t begun = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k].empty() || !rows[k][0].is_string()) return false;
+    begun += k == 0 || rows[k][0] != rows[k - 1][0] ? 1 : 0;
+  }
+  return begun > 1 && rows.size() >= groups * begun;
+}
 
 // A column whose first row is a number is set to the right, its heading too.
-std::string table_of(const ordered_json& part) {
+std::string table_of(const ordered_json& part, const std::string& under, Page& page) {
   const ordered_json& rows = part.at("rows");
   const std::size_t columns = part.at("head").size();
   const auto is_number = [&](std::size_t k) { return !rows.empty() && rows[0].size() > k && rows[0][k].is_number(); };
-  std::string head, body;
-  for (std::size_t k = 0; k < columns; ++k) {
-    head += is_number(k) ? "<th class=\"number\">" : "<th>";
-    head += breakable(part.at("head")[k].get<std::string>()) + "</th>";
-  }
+  TableFrame table;
+  for (std::size_t k = 0; k < columns; ++k)
+    table.head += head_cell(breakable(part.at("head")[k].get<std::string>()), is_number(k));
   for (const ordered_json& row : rows) {
     std::string cells;
     for (std::size_t k = 0; k < std::max(columns, row.size()); ++k)
       cells += k < row.size() ? cell(row[k], is_number(k)) : element("td", "");
-    body += element("tr", cells);
+    table.body += element("tr", cells);
   }
-  const std::string caption = text(part, "caption");
-  return std::string("<div class=\"scroll\"><table class=\"study") + (columns >= wide ? " wide" : "") + "\">" +
-         (caption.empty() ? "" : element("caption", caption)) + element("thead", element("tr", head)) +
-         element("tbody", body) + "</table></div>\n";
+  table.caption = text(part, "caption");
+  table.name = escaped(under);
+  table.id = page.id("table " + under + " " + bare(table.caption));
+  table.kind = std::string("study") + (columns >= wide ? " wide" : "") + (comes_in_groups(rows) ? " grouped" : "");
+  return framed(table);
 }
 
-std::string figure_of(const ordered_json& part, Drawings& drawings) {
+std::string figure_of(const ordered_json& part, Page& page) {
   PlotInput input;
   for (const auto& [name, value] : part.at("variables").items()) {
     if (value.is_number()) {
@@ -91,18 +94,10 @@ std::string figure_of(const ordered_json& part, Drawings& drawings) {
     }
     input.block(name, rows);
   }
-  const auto script = [](const std::string& file) { return std::string(embedded("validation/figures/" + file)); };
-  const std::string drawn = draw(input, script("palettes.gp") + script(part.at("script")), drawings,
-                                 part.at("name").get<std::string>(), part.at("description").get<std::string>());
-  return figure(drawn, text(part, "caption"));
-}
-
-std::string part_of(const ordered_json& part, Drawings& drawings) {
-  const std::string kind = part.at("kind");
-  if (kind == "heading") return element("h3", text(part, "text"));
-  if (kind == "text") return element("p", text(part, "text"));
-  if (kind == "table") return table_of(part);
-  return figure_of(part, drawings);
+  const std::string name = part.at("name");
+  const std::string svg = drawn(input, part.at("script"), page.files, name, part.at("description"));
+  return framed(page,
+                {page.id("figure " + name), "<div class=\"plot\">" + svg + "</div>", text(part, "caption"), name});
 }
 
 std::string listed(const std::vector<std::string>& all, std::size_t most) {
@@ -123,24 +118,52 @@ std::string words_of(const Numbers& numbers, const Age& age) {
          " of them were made before these sources changed: " + listed(age.changed, 8) + ".";
 }
 
-// Those that can be shown; what cannot is said by missing_evidence.
-std::vector<Result> results_in(const Evidence& evidence, StudyPlace place_on_page) {
-  std::vector<Result> results;
+bool holds_today(const ordered_json& claim, bool old_times) {
+  return claim.at("holds").get<bool>() && !(old_times && claim.value("timed", false));
+}
+
+std::string id_of_claim(const StudyResult& result, std::size_t k) {
+  return "claim_" + result.name + "_" + std::to_string(k + 1);
+}
+
+// Value first, then the aim, then the sentence. Times that are older than the solver bear nothing out.
+std::string claims_of(const StudyResult& result) {
+  const ordered_json& claims = result.report.at("claims");
+  std::string rows;
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    const ordered_json& claim = claims[k];
+    const bool holds = holds_today(claim, result.old_times);
+    std::string words = claim.value("value", "").empty() ? "" : element("strong", text(claim, "value"));
+    if (!claim.value("aim", "").empty()) words += " (aim: " + text(claim, "aim") + ")";
+    words += (words.empty() ? "" : ": ") + text(claim, "text");
+    const std::string mark = !holds && claim.at("holds").get<bool>()
+                                 ? "<span class=\"chip none\">times older than the solver</span> "
+                             : holds ? "<span class=\"chip good\">✓ holds</span> "
+                                     : "<span class=\"chip bad\">✗ does not hold</span> ";
+    rows +=
+        "<li id=\"" + id_of_claim(result, k) + "\"" + (holds ? ">" : " class=\"refuted\">") + mark + words + "</li>\n";
+  }
+  return rows.empty() ? rows : element("ul", rows, "claims");
+}
+
+}  // namespace
+
+std::vector<StudyResult> study_results(const Evidence& evidence) {
+  std::vector<StudyResult> results;
   if (evidence.studies.empty()) return results;
   const Shelf shelf(evidence.studies);
   for (const std::string& name : studies_of_the_page()) {
-    const bool first = name == studies_of_the_page().front();
-    if (first != (place_on_page == StudyPlace::before_scenes) || !unusable_study(evidence, name).empty()) continue;
+    if (!unusable_study(evidence, name).empty()) continue;
     const auto study = std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
                                     [&](const Study& s) { return s.name == name; });
-    Result result{name, study->chapter(shelf).json(), ""};
+    StudyResult result{name, study->chapter(shelf).json(), "", age_of(shelf.of(name), study->sources())};
     std::vector<std::string> read{name};
     read.insert(read.end(), study->reads.begin(), study->reads.end());
     for (const Study& other : evidence.catalogue) {
       if (std::find(read.begin(), read.end(), other.name) == read.end()) continue;
       const Age age = age_of(shelf.of(other.name), other.sources());
       result.old_times = result.old_times || age.old_timed > 0;
-      result.age += (other.name == name ? "" : " Of the study " + other.name + ": ") +
+      result.age += (other.name == name ? " " : " Of the study " + other.name + ": ") +
                     typeset(escaped(words_of(shelf.of(other.name), age)));
     }
     results.push_back(std::move(result));
@@ -148,45 +171,56 @@ std::vector<Result> results_in(const Evidence& evidence, StudyPlace place_on_pag
   return results;
 }
 
-// Value first, then the aim, then the sentence. Times that are older than the solver bear nothing out.
-std::string claims_of(const ordered_json& claims, bool old_times) {
-  std::string rows;
-  for (const ordered_json& claim : claims) {
-    const bool old = old_times && claim.value("timed", false), holds = claim.at("holds").get<bool>() && !old;
-    std::string words = claim.value("value", "").empty() ? "" : element("strong", text(claim, "value"));
-    if (!claim.value("aim", "").empty()) words += " (aim: " + text(claim, "aim") + ")";
-    words += (words.empty() ? "" : ": ") + text(claim, "text");
-    const char* mark = old ? "Not shown today, the times are older than the solver: " : "Does not hold: ";
-    rows += holds ? element("li", words) : element("li", mark + words, "refuted");
-  }
-  return rows.empty() ? rows : element("ul", rows, "claims");
+std::string age_chip(const Age& age) {
+  if (age.old == 0) return "<span class=\"chip good\">✓ today's solver</span>";
+  return "<span class=\"chip bad\">" + std::to_string(age.old) + " of " + std::to_string(age.results) +
+         " older than the solver</span>";
 }
 
-}  // namespace
-
-std::string chapter_html(const ordered_json& json, bool old_times, Drawings& drawings) {
-  std::string html = element("h2", text(json, "title")) + element("p", text(json, "question"), "lead");
-  html += claims_of(json.at("claims"), old_times);
-  for (const ordered_json& part : json.at("parts")) html += part_of(part, drawings);
+std::string chapter_html(const StudyResult& result, const std::string& number, Page& page) {
+  const ordered_json& report = result.report;
+  const std::string title = text(report, "title");
+  std::string html = heading(3, page.id(result.name), element("span", number, "section") + title) +
+                     element("p", text(report, "question"), "lead");
+  html += claims_of(result);
+  std::string under = report.at("title");
+  for (const ordered_json& part : report.at("parts")) {
+    const std::string kind = part.at("kind");
+    if (kind == "heading") {
+      under = part.at("text");
+      html += heading(4, page.id(result.name + " " + under), text(part, "text"));
+    } else if (kind == "text") {
+      html += element("p", text(part, "text"));
+    } else {
+      html += kind == "table" ? table_of(part, under, page) : figure_of(part, page);
+    }
+  }
   return html;
 }
 
-std::string study_contents(const Evidence& evidence, StudyPlace place) {
-  std::string lines;
-  for (const Result& result : results_in(evidence, place)) {
-    lines += element("li", "<a href=\"#study_" + result.name + "\">" + text(result.json, "title") + "</a>");
-  }
-  return lines;
+std::string study_section(const StudyResult& result, const std::string& number, Page& page) {
+  const std::string id = page.id("study " + result.name);
+  const std::string made = " By <code>furrow study " + result.name + "</code>:" + result.age;
+  return "<section id=\"" + id + "\">\n" + chapter_html(result, number, page) +
+         element("p", age_chip(result.numbers) + made, "note") + "</section>\n";
 }
 
-std::string study_sections(const Evidence& evidence, StudyPlace place, Drawings& drawings) {
-  std::string sections;
-  for (const Result& result : results_in(evidence, place)) {
-    std::string html = chapter_html(result.json, result.old_times, drawings);
-    html += element("p", "By <code>furrow study " + result.name + "</code>: " + result.age, "note");
-    sections += "<section id=\"study_" + result.name + "\">\n" + html + "</section>\n";
+std::string first_figure(const StudyResult& result, Page& page) {
+  return figure_of(result.report.at("first_figure"), page);
+}
+
+std::size_t claims_in(const StudyResult& result) { return result.report.at("claims").size(); }
+
+std::vector<Refuted> refuted_claims(const StudyResult& result) {
+  std::vector<Refuted> all;
+  const ordered_json& claims = result.report.at("claims");
+  for (std::size_t k = 0; k < claims.size(); ++k) {
+    const ordered_json& claim = claims[k];
+    if (holds_today(claim, result.old_times)) continue;
+    const auto words = [&](const char* key) { return claim.value(key, "").empty() ? std::string() : text(claim, key); };
+    all.push_back({id_of_claim(result, k), words("value"), words("aim"), words("text"), claim.at("holds").get<bool>()});
   }
-  return sections;
+  return all;
 }
 
 }  // namespace furrow::validation

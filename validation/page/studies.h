@@ -1,23 +1,41 @@
 // The page's parts about studies: what their chapters make of the numbers that `furrow study` left, and how old these are.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "validation/page/evidence.h"
-#include "validation/page/gnuplot.h"
+#include "validation/page/page.h"
 
 namespace furrow::validation {
 
-enum class StudyPlace { before_scenes, after_scenes };
+struct StudyResult {
+  std::string name;
+  Json report;      // what its chapter says, see study.h
+  std::string age;  // HTML: when, by which commit and machine the numbers were made, and what changed since
+  Age numbers;      // of its own numbers
+  bool old_times = false;
+};
 
-// What a chapter says (Report::json), without what stands around it; HTML. `old_times`: its times are older than the
-// solver.
-std::string chapter_html(const nlohmann::ordered_json& chapter, bool old_times, Drawings& drawings);
+// Those of all studies that can be shown, in the order of the page; what cannot is said by missing_evidence.
+std::vector<StudyResult> study_results(const Evidence& evidence);
 
-// A line of the page's contents for each result, and a section for each; HTML. A result that is missing or cannot be
-// used makes none, see missing_evidence. The figures go to `drawings`. Throws std::runtime_error if gnuplot fails.
-std::string study_contents(const Evidence& evidence, StudyPlace place);
-std::string study_sections(const Evidence& evidence, StudyPlace place, Drawings& drawings);
+// HTML. The figures go to the page's files. Throws std::runtime_error if gnuplot fails.
+std::string chapter_html(const StudyResult& result, const std::string& number, Page& page);  // without its age
+std::string study_section(const StudyResult& result, const std::string& number, Page& page);
+// The figure that goes with its headline.
+std::string first_figure(const StudyResult& result, Page& page);
+
+// "today's solver", or how many numbers are older, as a sign.
+std::string age_chip(const Age& age);
+
+// A claim that does not hold, or is not shown today.
+struct Refuted {
+  std::string id, value, aim, text;  // HTML
+  bool old = false;
+};
+std::vector<Refuted> refuted_claims(const StudyResult& result);
+std::size_t claims_in(const StudyResult& result);
 
 }  // namespace furrow::validation

@@ -1,4 +1,4 @@
-// Texts and scripts of validation/figures.
+// Scripts of validation/figures, texts of validation/page.
 #pragma once
 
 #include <map>
@@ -10,11 +10,12 @@
 namespace furrow::validation {
 
 inline std::string figure_file(const std::string& name) { return std::string(embedded("validation/figures/" + name)); }
+inline std::string page_file(const std::string& name) { return std::string(embedded("validation/page/" + name)); }
 
 // The figure of a script of validation/figures, see draw().
 inline std::string drawn(const PlotInput& input, const std::string& script, Drawings& drawings, const std::string& name,
                          const std::string& what) {
-  return draw(input, figure_file("palettes.gp") + figure_file(script), drawings, name, what);
+  return draw(input, figure_file(script), drawings, name, what);
 }
 
 // Replaces every {{key}}.

@@ -6,7 +6,6 @@
 
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
-#include "validation/page/template.h"
 
 namespace furrow::validation {
 namespace {
@@ -41,11 +40,12 @@ std::string at_the_worst(const WatchedFact& w) {
 }
 
 std::string row_of(const WatchedFact& w) {
-  if (std::isnan(w.time)) return element("tr", element("td", in_words(w.name)) + element("td", escaped(w.verdict)));
+  if (std::isnan(w.time))
+    return element("tr", element("td", in_words(w.name)) + element("td", chip_or_words(w.verdict)));
   std::string cells = element("td", in_words(w.name));
   for (const std::string& cell : {shown(w.worst), limit(w.warns_above), limit(w.ends_above), allowance(w)})
     cells += element("td", cell, "number");
-  return element("tr", cells + element("td", at_the_worst(w)) + element("td", escaped(w.verdict)));
+  return element("tr", cells + element("td", at_the_worst(w)) + element("td", chip_or_words(w.verdict)));
 }
 
 std::string sentence(const std::string& verdict) {
@@ -63,11 +63,17 @@ double worst_of(const RunRecord& run, const std::string& name) {
 
 }  // namespace
 
-std::string validity_part(const RunRecord& run) {
+std::string validity_part(const RunRecord& run, Page& page) {
   if (run.watched.empty()) return element("p", "Validity of the laws: " + missing);
   std::string rows;
   for (const WatchedFact& w : run.watched) rows += row_of(w);
-  return filled(figure_file("validity.html"), {{"verdict", sentence(run.validity)}, {"rows", rows}});
+  return framed({page.id(run.name + " validity"),
+                 "What this run does to the validity of its laws. " + sentence(run.validity), escaped(run.name),
+                 "study",
+                 head_cell("Watched") + head_cell("Measured", true) + head_cell("Warns above", true) +
+                     head_cell("Ends the run above", true) + head_cell("The scene allows", true) +
+                     head_cell("At the worst") + head_cell("Verdict"),
+                 rows});
 }
 
 std::string validity_table(const std::vector<RunRecord>& runs) {

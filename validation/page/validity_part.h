@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "validation/page/page.h"
 #include "validation/page/run_record.h"
 
 namespace furrow::validation {
 
 // A table as HTML.
-std::string validity_part(const RunRecord& run);
+std::string validity_part(const RunRecord& run, Page& page);
 
 // A table of all runs, in Markdown.
 std::string validity_table(const std::vector<RunRecord>& runs);

@@ -91,7 +91,7 @@ Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& pl
   for (const double step : plan.steps) head.push_back("pece " + text_of(step));
   for (const std::string& method : plan.others) head.push_back(method + " " + text_of(plan.others_step));
   head.emplace_back("moved by a nudge");
-  head.emplace_back("does not depend on the step from");
+  head.emplace_back("settled from");
   std::vector<std::vector<Json>> rows;
   Tally tally;
   for (const Row& row : rows_of(c.scene)) {
@@ -103,7 +103,7 @@ Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& pl
     const double spread = spread_of(results, plan, c, row.id);
     const double from = settled_from(results, plan, c, row.id, spread);
     cells.push_back(std::isfinite(spread) ? Json(spread) : Json("none"));
-    cells.emplace_back(std::isnan(from) ? "none tried" : text_of(from));
+    cells.emplace_back(std::isnan(from) ? "at no step tried" : text_of(from));
     rows.push_back(cells);
     ++tally.numbers;
     tally.settled += std::isnan(from) ? 0 : 1;
@@ -119,7 +119,7 @@ Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& pl
 
 std::string in_plain_words(const std::string& reading, const Tally& tally) {
   const auto count = [](int n) { return std::to_string(n); };
-  std::string text = "In plain words, for " + reading + ": ";
+  std::string text = reading + ": ";
   if (tally.at_papers_step == tally.numbers)
     return text + "all " + count(tally.numbers) + " numbers are settled at the paper's step: they are the model's.";
   text += tally.settled == tally.numbers ? "all " + count(tally.numbers) + " numbers settle"
@@ -146,6 +146,43 @@ std::string largest_force_of(const std::string& scene) {
                                  : "largest_force_coupled";
 }
 
+// What the first screen says: the largest forces of all cases, as shares of those at the finest step.
+struct FoundCase {
+  ConvergenceCase c;
+  double at_papers = NAN, finest = NAN;  // N
+  double off() const { return std::fabs(at_papers / finest - 1); }
+};
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)); }
+
+void add_headline(Report& report, const std::vector<FoundCase>& found, const Tally& all,
+                  const std::string& finest_step) {
+  double most = 0;  // of the discs
+  std::string spheres;
+  for (const FoundCase& f : found) {
+    if (f.c.scene == "scenario_1" || !std::isfinite(f.off())) continue;
+    if (to_string(f.c.reading) == "disc") {
+      most = std::max(most, f.off());
+    } else {
+      spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + rounded(f.finest) + " N";
+    }
+  }
+  report.headline({.tile = "finding",
+                   .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
+                            "are off by no more than " +
+                            percent(most) + " %.",
+                   .text = "If it is a sphere, and the paper does not say which, that step makes them: with steps of " +
+                           finest_step + " " + spheres + ". Of " + std::to_string(all.numbers) + " numbers in all, " +
+                           std::to_string(all.at_papers_step) + " do not depend on the paper's step."});
+}
+
+Json shares_by_step(const Numbers& results, const ConvergencePlan& plan, const FoundCase& f) {
+  Json rows = Json::array();
+  for (const Json& row : forces_by_step(results, plan, f.c, largest_force_of(f.c.scene)))
+    rows.push_back({row[0], row[1].get<double>() / f.finest});
+  return rows;
+}
+
 }  // namespace
 
 Report convergence(const Shelf& shelf) {
@@ -160,10 +197,14 @@ Report convergence(const Shelf& shelf) {
   Json blocks = Json::object();
   Tally all;
   std::map<std::string, Tally> by_reading;
+  std::vector<FoundCase> found;
+  Json shares = Json::object();
   for (const ConvergenceCase& c : plan.cases) {
     const std::string id = largest_force_of(c.scene);
     const double at_papers = value_in(results, {c, "pece", papers_step}, id);
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
+    found.push_back({c, at_papers, finest});
+    shares["shares_" + c.scene.substr(9) + "_" + to_string(c.reading)] = shares_by_step(results, plan, found.back());
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
@@ -172,12 +213,26 @@ Report convergence(const Shelf& shelf) {
     }
     const Tally tally = add_case(details, results, plan, c);
     all.add(tally);
-    by_reading[c.scene == "scenario_1" ? "scene 1" : "scenes 2 and 3, " + to_string(c.reading) + "s"].add(tally);
+    by_reading[c.scene == "scenario_1" ? "Scene 1" : "Scenes 2 and 3, " + to_string(c.reading) + "s"].add(tally);
     blocks["forces_" + c.scene.substr(9) + "_" + to_string(c.reading)] =
         forces_by_step(results, plan, c, largest_force_of(c.scene));
   }
   for (const auto& [reading, tally] : by_reading) report.text(in_plain_words(reading, tally));
   if (!results.quick()) {
+    add_headline(report, found, all, text_of(plan.steps.back()));
+    report.first_figure(
+        {.name = "finding",
+         .script = "finding.gp",
+         .caption = "Largest force on the plate, of that at " + text_of(plan.steps.back()) + ", against the time step.",
+         .description =
+             "Largest force against the time step, of that at the finest: near 1 for discs at every step up to the "
+             "paper's, up to " +
+             rounded(std::max_element(found.begin(), found.end(),
+                                      [](const FoundCase& a, const FoundCase& b) { return a.off() < b.off(); })
+                         ->off() +
+                     1) +
+             " times for spheres at the paper's step",
+         .blocks = shares});
     report.figure(
         {.name = "convergence",
          .script = "convergence.gp",
@@ -190,8 +245,10 @@ Report convergence(const Shelf& shelf) {
          .blocks = blocks});
   }
   report.append(details);
-  report.claim("At the paper's step some of its numbers are numbers of the step, not of the model.",
-               all.at_papers_step < all.numbers);
+  report.claim({.text = "At the paper's step these of its numbers do not depend on the step, the others do.",
+                .value = std::to_string(all.at_papers_step) + " of " + std::to_string(all.numbers),
+                .aim = "fewer than all, or this page has no finding",
+                .holds = all.at_papers_step < all.numbers});
   return report;
 }
 

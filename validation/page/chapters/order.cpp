@@ -39,6 +39,9 @@ void order_claims(Report& report, const Observations& all) {
                 .aim = "all, " + fixed(tolerances.at(tolerances.size() / 2), 2) + " off in the middle, " +
                        fixed(tolerances.back(), 2) + " at most",
                 .holds = misses.empty()});
+  report.headline({.tile = "right",
+                   .value = of_all(positions, cells) + " of a method and a kind of force",
+                   .text = "show the order that theory predicts, at most " + fixed(furthest, 2) + " off."});
   report.claim({.text = "So is the order of the velocity; after an elastic rebound or a tear that is located it is at "
                         "least the predicted one.",
                 .value = of_all(velocities, cells),

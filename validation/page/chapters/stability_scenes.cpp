@@ -132,6 +132,22 @@ void paper_claims(Report& report, const std::vector<StandingScene>& scenes) {
   }
 }
 
+// The first screen: the paper's step over the largest stable one.
+void add_headline(Report& report, const std::vector<StandingScene>& scenes) {
+  std::string text;
+  double most = 0;
+  for (const StandingScene& s : scenes) {
+    if (s.name.find("scene") != 0 || !s.failed.empty() || s.own_growth > 0) continue;
+    const double ratio = s.own_step / step_of(s, "pece")->measured;
+    most = std::max(most, ratio);
+    text += (text.empty() ? "" : "; ") + s.name + ": " + rounded(ratio, 2);
+  }
+  if (!text.empty())
+    report.headline({.tile = "breaks",
+                     .value = "up to " + rounded(most, 2) + " times",
+                     .text = "the largest stable step of its method is what the paper's step takes: " + text + "."});
+}
+
 // Of those that do not rest.
 std::string exceptions(const std::vector<StandingScene>& scenes) {
   std::string text;
@@ -158,6 +174,7 @@ void report_scenes(Report& report, const std::vector<StandingScene>& scenes, con
   report.figure(spectrum_figure(scenes, rim));
   moments_table(report, scenes);
   steps_table(report, scenes);
+  add_headline(report, scenes);
   agreement_claim(report, scenes);
   paper_claims(report, scenes);
 }

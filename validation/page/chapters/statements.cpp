@@ -85,6 +85,11 @@ void judge(Report& report, const Groups& groups) {
   }
   std::string counts;
   for (const auto& [verdict, n] : count) counts += (counts.empty() ? "" : ", ") + std::to_string(n) + " " + verdict;
+  report.headline({.tile = "paper",
+                   .value = std::to_string(count["reproduced"]) + " of " + std::to_string(rows.size()),
+                   .text = "judgements of its " + std::to_string(the_paper().statements.size()) +
+                           " statements reproduce them, " + std::to_string(count["reproduced in kind"]) + " in kind, " +
+                           std::to_string(count["not reproduced"]) + " do not."});
   report.text("Of " + std::to_string(the_paper().statements.size()) + " statements, judged " +
               std::to_string(rows.size()) + " times by scene and reading of the mass: " + counts + ".");
   report.text(

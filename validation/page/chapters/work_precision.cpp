@@ -93,6 +93,25 @@ void add_paper(Report& report, const Found& f) {
   if (!third) add_bound(report, f, paper->evaluations);
 }
 
+// The first screen: the paper's own error in each of its scenes, and what the best method needs for it.
+void add_headline(Report& report, const std::vector<Found>& all) {
+  std::string errors, shares;
+  for (const Found& f : all) {
+    const WorkPrecisionPoint* paper = paper_point(f);
+    if (!f.info.by_force || !paper) continue;
+    const double error = paper->error_by(true);
+    const Cheapest best = cheapest_at(f, error, &WorkPrecisionPoint::evaluations);
+    errors += (errors.empty() ? "" : ", ") + shown(100 * error) + " %";
+    shares += (shares.empty() ? "" : ", ") + shown(100 * best.cost / paper->evaluations) + " % (" + best.method + ")";
+  }
+  if (!errors.empty())
+    report.headline(
+        {.tile = "accurate",
+         .value = errors,
+         .text = "error of the force curve at the paper's setting, scenes 1, 2 and 3. The best method needs for it " +
+                 shares + " of the evaluations."});
+}
+
 // By method the finest setting that failed, and one failure in full.
 void add_failures(Report& report, const Found& f) {
   std::string left_out, failed, example;
@@ -118,6 +137,7 @@ Report work_precision(const Shelf& shelf) {
   for (const CaseInfo& info : work_precision_cases(numbers.quick())) all.push_back(found_in(numbers, info));
   Report report("Work against precision", "What does accuracy cost, and which method gives it for least?");
   for (const Found& f : all) add_paper(report, f);
+  add_headline(report, all);
   report.text(
       "Error: of the force on the plate at equally spaced times, root mean square over that of the force, for the "
       "paper's scenes; of the positions of all bodies at the end, root mean square over that of how far each got "

@@ -1,0 +1,150 @@
+#include "validation/page/summary.h"
+
+#include <algorithm>
+#include <map>
+
+#include "output/build_info.h"
+#include "output/machine.h"
+#include "validation/page/html.h"
+#include "validation/page/page_parts.h"
+
+namespace furrow::validation {
+namespace {
+
+// "2,716"
+std::string grouped(std::size_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>& runs) {
+  const Verdict v = verdict_of(evidence);
+  const auto ended = std::count_if(runs.begin(), runs.end(), [](const RunRecord& run) { return run.finished(); });
+  const bool good = v.checks > 0 && v.failed == 0 && v.noticed == v.faults && ended == std::ssize(runs) &&
+                    missing_evidence(evidence).empty();
+  std::string words = v.checks == 0 ? "<strong>No checks here.</strong>"
+                                    : "<strong>" + grouped(v.checks) + " checks of " + grouped(v.requirements) +
+                                          " requirements: " + grouped(v.failed) + " failed.</strong>";
+  if (v.faults > 0)
+    words +=
+        " " + grouped(v.noticed) + " of " + grouped(v.faults) + " faults put into the source on purpose were noticed.";
+  words += " " + std::to_string(ended) + " of " + std::to_string(runs.size()) + " scenes came to their end.";
+  return "<p id=\"verdict\" class=\"verdict " + std::string(good ? "good" : "bad") + "\"><span class=\"chip " +
+         (good ? "good\">✓ good" : "bad\">✗ not good") + "</span> " + words + "</p>\n";
+}
+
+std::string made_line(const Evidence& evidence) {
+  const BuildInfo& build = build_info();
+  std::string words =
+      "furrow " + std::string(build.version) + ", commit <b id=\"commit\">" + escaped(build.commit) + "</b>";
+  if (!evidence.when.empty())
+    words += ", page made <time id=\"made_at\" datetime=\"" + evidence.when + "\">" + evidence.when.substr(0, 10) +
+             " " + evidence.when.substr(11, 5) + " UTC</time>";
+  return element("p", words + " on " + escaped(processor_name()) + ", " + escaped(build.compiler), "made_line");
+}
+
+struct Tile {
+  std::string id, part, question, value, text;
+};
+
+// A study's headline for a tile; several join.
+void take_headlines(const std::vector<StudyResult>& studies, std::vector<Tile>& tiles) {
+  for (const StudyResult& study : studies) {
+    for (const Json& headline : study.report.at("headlines")) {
+      const auto tile =
+          std::find_if(tiles.begin(), tiles.end(), [&](const Tile& t) { return t.id == headline.at("tile"); });
+      if (tile == tiles.end()) continue;
+      const std::string value = typeset(escaped(headline.at("value").get<std::string>())),
+                        words = typeset(escaped(headline.at("text").get<std::string>()));
+      if (tile->value.empty())
+        tile->value = value, tile->text = words;
+      else
+        tile->text += " <b>" + value + "</b> " + words;
+    }
+  }
+}
+
+std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& studies) {
+  const Verdict v = verdict_of(evidence);
+  std::vector<Tile> tiles{
+      {"right", "right", "Is the model right?", "", ""},       {"accurate", "accurate", "How accurate is it?", "", ""},
+      {"breaks", "breaks", "Where does it break?", "", ""},    {"fast", "fast", "How fast is it?", "", ""},
+      {"engines", "fast", "How do other engines do?", "", ""}, {"paper", "paper", "What of the paper stands?", "", ""}};
+  if (v.checks > 0) {
+    tiles[0].value = grouped(v.checks - v.failed) + " of " + grouped(v.checks);
+    tiles[0].text = "checks against closed forms hold.";
+  }
+  take_headlines(studies, tiles);
+  std::string html;
+  for (const Tile& t : tiles) {
+    const std::string value = t.value.empty() ? missing : t.value;
+    html += "<li><a class=\"tile\" id=\"tile_" + t.id + "\" href=\"#part_" + t.part + "\"><span class=\"question\">" +
+            t.question + "</span><strong>" + value + "</strong><span>" + t.text + "</span></a></li>\n";
+  }
+  return element("ul", html, "tiles");
+}
+
+std::string finding(const std::vector<StudyResult>& studies, Page& page) {
+  for (const StudyResult& study : studies) {
+    for (const Json& headline : study.report.at("headlines")) {
+      if (headline.at("tile") != "finding") continue;
+      const std::string words = element("p", typeset(escaped(headline.at("value").get<std::string>()))) +
+                                element("p", typeset(escaped(headline.at("text").get<std::string>())));
+      const std::string drawing = study.report.contains("first_figure") ? first_figure(study, page) : "";
+      return "<section id=\"summary_finding\" class=\"finding\"><div><h2>The finding</h2>" + words +
+             "<p><a href=\"#part_finding\">All its numbers</a></p></div>" + drawing + "</section>\n";
+    }
+  }
+  return {};
+}
+
+std::string failing(const std::vector<StudyResult>& studies) {
+  std::string rows;
+  std::size_t count = 0, all = 0;
+  for (const StudyResult& study : studies) {
+    all += claims_in(study);
+    for (const Refuted& claim : refuted_claims(study)) {
+      ++count;
+      rows += "<li><strong>" + (claim.value.empty() ? "no value" : claim.value) + "</strong>" +
+              (claim.aim.empty() ? "" : " (aim: " + claim.aim + ")") +
+              (claim.old ? ", by times older than the solver" : "") + ": " + claim.text + " <a href=\"#" + claim.id +
+              "\">where</a></li>\n";
+    }
+  }
+  if (all == 0) return {};
+  const std::string head =
+      count == 0 ? "All " + std::to_string(all) + " claims of this page hold"
+                 : std::to_string(count) + " of this page's own " + std::to_string(all) + " claims do not hold";
+  return "<section id=\"failing\" class=\"failing\"><h2>" + head + "</h2>" + (rows.empty() ? "" : element("ul", rows)) +
+         "</section>\n";
+}
+
+}  // namespace
+
+std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence,
+                    const std::vector<StudyResult>& studies, Page& page) {
+  return made_line(evidence) + "<h1>A plate through soil and stem: what of it can be trusted</h1>\n" +
+         verdict_line(evidence, runs) + finding(studies, page) + tiles_of(evidence, studies) + failing(studies);
+}
+
+std::string ages(const std::vector<StudyResult>& studies, Page& page) {
+  std::string rows;
+  for (const StudyResult& study : studies) {
+    rows += element("tr", "<th scope=\"row\"><a href=\"#study_" + study.name + "\">" +
+                              typeset(escaped(study.report.at("title").get<std::string>())) + "</a></th>" +
+                              element("td", std::to_string(study.numbers.results), "number") +
+                              element("td", study.numbers.first.substr(0, 10)) +
+                              element("td", study.numbers.last.substr(0, 10)) + element("td", age_chip(study.numbers)) +
+                              element("td", "<code>furrow study " + study.name + "</code>"));
+  }
+  if (rows.empty()) return {};
+  return framed({page.id("table ages"),
+                 "When the kept numbers of each section were made, and whether the solver has changed since.",
+                 "Ages of the kept numbers", "study",
+                 head_cell("Section") + head_cell("Results", true) + head_cell("Oldest of") + head_cell("Newest of") +
+                     head_cell("Against today's solver") + head_cell("Made by"),
+                 rows});
+}
+
+}  // namespace furrow::validation
