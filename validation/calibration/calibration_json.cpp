@@ -6,8 +6,8 @@
 #include "scene/read.h"
 #include "scene/wording.h"
 #include "validation/calibration/calibration.h"
-#include "validation/page/html.h"
 #include "validation/page/studies.h"
+#include "validation/page/template.h"
 
 namespace furrow::validation {
 namespace {
@@ -120,7 +120,7 @@ void write_calibration(const Calibration& c, const fs::path& directory) {
   replace_file(directory / "calibration.html",
                "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                    escaped(c.targets.title) + "</title>\n<style>\n" +
-                   std::string(page_file("page.css")) +
+                   page_file("page.css") +
                    "</style>\n</head>\n<body>\n<main>\n<section>\n" + html + "</section>\n</main>\n</body>\n</html>\n");
 }
 

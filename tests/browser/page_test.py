@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+"""Drives the page of `furrow report` in a headless browser, as a reader would.
+
+page_test.py REPORT ARTEFACTS: the directory of the page, and where the pictures go. AXE names axe.min.js; without it the
+accessibility tests are skipped. Without a browser all is skipped, with exit code 77."""
+import os
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import browser  # noqa: E402
+
+WIDE, PHONE = (1400, 900), (390, 844)
+REPORT, ARTEFACTS = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
+AXE = os.environ.get("AXE", "")
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.profile = tempfile.TemporaryDirectory()
+        cls.browser = browser.Browser(cls.profile.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.profile.cleanup()
+
+    def open(self, size=WIDE, **look):
+        self.browser.events.clear()
+        self.browser.scripts(True)
+        self.browser.look(*size, **look)
+        self.browser.open((REPORT / "index.html").as_uri())
+        return self.browser
+
+    def picture(self, name):
+        self.browser.picture(ARTEFACTS / f"{name}.png")
+
+    def player(self, scene="scenario_3"):
+        b = self.open()
+        b.run(f"document.querySelector('#{scene} .player').scrollIntoView()")
+        b.wait(f"document.querySelector('#{scene} .player').player?.to_mm !== undefined")
+        b.run(f"window.p = document.querySelector('#{scene} .player').player; p.stop = () => p.pause(); 0")
+        return b
+
+    # ---- what is there ----
+
+    def test_the_first_screen_holds_verdict_finding_tiles_and_date(self):
+        b = self.open()
+        self.picture("first_screen")
+        for what in ("#verdict", "#commit", "#made_at", "#summary_finding h2", "#summary_finding svg", "#tile_right", "#tile_accurate",
+                     "#tile_breaks", "#tile_fast", "#tile_engines", "#tile_paper"):
+            place = b.run(f"(r => r && [r.top, r.height])(document.querySelector('{what}')?.getBoundingClientRect())")
+            self.assertTrue(place and place[1] > 0, what)
+            self.assertLess(place[0], WIDE[1], f"{what} is below the first screen")
+        self.assertRegex(b.run("document.querySelector('#verdict').textContent"), r"[\d,]+ checks of \d+ requirements: \d+ failed")
+        self.assertRegex(b.run("document.querySelector('#made_at').dateTime"), r"^\d{4}-\d\d-\d\dT")
+
+    def test_nothing_complains(self):
+        b = self.open()
+        b.run("(async () => { for (let y = 0; y < document.body.scrollHeight; y += 800) { scrollTo(0, y); await new Promise(f => setTimeout(f, 30)); } })()")
+        b.run("(async () => { for (const s of document.querySelectorAll('details')) { s.open = true; await new Promise(f => setTimeout(f, 5)); } })()")
+        self.assertEqual(b.complaints(), [])
+
+    def test_it_is_light_and_needs_no_other_file(self):
+        text = (REPORT / "index.html").read_text()
+        self.assertLess(len(text.encode()), 4e6)
+        films = [len(f) for f in re.findall(r'<script type="text/plain" id="film_\w+">([^<]*)<', text)]
+        self.assertGreater(len(films), 2)
+        self.assertLess(max(films), 220e3, "the largest film")
+        self.assertLess(sum(films), 1.5e6, "all films")
+        self.assertEqual(re.findall(r'<(?:link|script|img|iframe)[^>]* (?:src|href)=', text), [])
+
+    def test_it_is_painted_at_once(self):
+        first = min(self.open().wait("performance.getEntriesByName('first-contentful-paint')[0]?.startTime") for _ in range(5))
+        print(f"first paint after {first:.0f} ms, the best of five")
+        self.assertLess(first, 1000, "the aim is 300 ms on an idle machine; this one may be busy")
+
+    def test_every_link_within_the_page_leads_somewhere(self):
+        b = self.open()
+        self.assertEqual(b.run("[...document.querySelectorAll('a[href^=\"#\"]')].map(a => a.getAttribute('href').slice(1)).filter(i => !document.getElementById(i))"), [])
+        self.assertEqual(b.run("(ids => ids.filter((i, k) => ids.indexOf(i) !== k))([...document.querySelectorAll('[id]')].map(e => e.id))"), [])
+        files = b.run("[...new Set([...document.querySelectorAll('a[href]')].map(a => a.getAttribute('href')).filter(h => !h.startsWith('#')))]")
+        self.assertEqual([f for f in files if not (REPORT / f).exists()], [])
+
+    def test_what_can_be_cited_has_an_id(self):
+        b = self.open()
+        self.assertEqual(b.run("[...document.querySelectorAll('h2, h3, h4, main table, main figure')].filter(e => !e.id && !e.closest('section[id], details[id], .player')).map(e => e.outerHTML.slice(0, 80))"), [])
+
+    def test_without_script_the_verdict_and_the_stills_are_there(self):
+        b = self.open()
+        b.scripts(False)
+        b.open((REPORT / "index.html").as_uri())
+        b.scripts(True)
+        self.assertEqual(b.run("document.documentElement.classList.contains('scripted')"), False)
+        self.assertGreater(b.run("document.querySelectorAll('#scenario_3 .panels svg').length"), 3)
+        self.assertGreater(b.run("document.querySelectorAll('#checks summary').length"), 20)
+
+    # ---- the players ----
+
+    def test_a_player_plays_and_pauses(self):
+        b = self.player()
+        start = b.run("p.go(0); p.toggle(); p.mm")
+        b.wait(f"p.mm > {start} + 5")
+        b.run("p.toggle()")
+        stopped = b.run("p.mm")
+        self.assertEqual(b.run("new Promise(f => setTimeout(() => f(p.mm), 300))"), stopped)
+
+    def test_scrubbing_the_curve_keeps_step_with_the_scene(self):
+        b = self.player()
+        pictures = set()
+        for part in (0.2, 0.5, 0.9):
+            mm = b.run(f"""(() => {{ const r = p.curve.getBoundingClientRect(), x = r.left + r.width * {part};
+                p.curve.dispatchEvent(new PointerEvent('pointerdown', {{ clientX: x, clientY: r.top + 20, pointerId: 1, buttons: 1 }})); return [p.mm, p.to_mm(x - r.left)]; }})()""")
+            self.assertAlmostEqual(mm[0], mm[1], 6)
+            self.assertAlmostEqual(float(b.run("p.curve.getAttribute('aria-valuenow')")), mm[0], delta=0.06)
+            self.assertIn(" N", b.run("p.said.textContent"))
+            pictures.add(b.run("p.canvases[0].toDataURL()"))
+        self.assertEqual(len(pictures), 3, "the scene has moved")
+        self.picture("player")
+
+    def test_keys_step_from_picture_to_picture(self):
+        b = self.player()
+        key = "p.curve.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{}', cancelable: true }})); p.mm"
+        b.run("p.go(0)")
+        second = b.run(key.format("ArrowRight"))
+        self.assertAlmostEqual(second, b.run("p.first.mm[1]"))
+        self.assertEqual(b.run(key.format("ArrowLeft")), 0)
+        self.assertAlmostEqual(b.run(key.format("End")), b.run("p.end"))
+
+    def test_two_runs_stand_side_by_side_at_the_same_displacement(self):
+        b = self.player("scenario_2")
+        if b.run("p.choices.length") < 2:
+            self.skipTest("the page was made without --players")
+        b.run("p.beside(p.choices.at(-1).id)")
+        b.wait("p.films.length === 2")
+        b.run("p.go(300)")
+        self.assertRegex(b.run("p.said.textContent"), r"^300 mm: .* N and .* N")
+        self.assertNotEqual(b.run("p.canvases[0].toDataURL()"), b.run("p.canvases[1].toDataURL()"))
+        self.picture("two_runs")
+
+    def test_torn_links_are_counted_up_to_the_moment(self):
+        b = self.player()
+        self.assertEqual(b.run("p.go(0); p.said.textContent.match(/(\\d+) links torn/)[1]"), "0")
+        self.assertEqual(int(b.run("p.go(p.end); p.said.textContent.match(/(\\d+) links torn/)[1]")), b.run("p.first.torn.length"))
+
+    def test_colours_and_chains_change_the_picture(self):
+        b = self.player()
+        pictures = [b.run(f"p.set({o}); p.canvases[0].toDataURL()") for o in ("{colour: 'stress'}", "{colour: 'speed'}", "{colour: 'overlap'}", "{chains: true}")]
+        self.assertEqual(len(set(pictures)), 4)
+
+    def test_who_asks_for_little_motion_gets_a_picture_a_second(self):
+        b = self.player()
+        b.look(*WIDE, motion="reduce")
+        b.run("p.go(0); p.toggle()")
+        self.assertEqual(b.run("new Promise(f => setTimeout(() => f(p.mm), 400))"), 0)
+        b.wait("p.mm > 0")
+        b.run("p.pause()")
+
+    # ---- tables ----
+
+    def test_statements_are_filtered_by_verdict_and_words(self):
+        b = self.open()
+        if not b.run("!!document.querySelector('#study_statements')"):
+            self.skipTest("the page was made without studies")
+        b.run("document.querySelector('#study_statements table').scrollIntoView()")
+        b.wait("document.querySelector('#study_statements .tools')")
+        shown = "[...document.querySelectorAll('#study_statements table')][0].querySelectorAll('tbody tr:not(.group):not([hidden])').length"
+        every = b.run(shown)
+        b.run("[...document.querySelectorAll('#study_statements .tools button')].find(b => b.textContent.includes('not reproduced')).click()")
+        some = b.run(shown)
+        self.assertTrue(0 < some < every, (some, every))
+        self.assertEqual(b.run("[...document.querySelector('#study_statements table').querySelectorAll('tbody tr:not(.group):not([hidden])')].every(r => r.textContent.includes('not reproduced'))"), True)
+        self.picture("statements")
+        b.run("(i => { i.value = 'largest force'; i.dispatchEvent(new Event('input')); })(document.querySelector('#study_statements .tools input'))")
+        self.assertLess(b.run(shown), some)
+
+    def test_a_head_sorts_its_column_both_ways(self):
+        b = self.open()
+        b.run("document.querySelector('#terms details').open = true")
+        b.wait("document.querySelector('#terms .tools')")
+        column = "[...document.querySelectorAll('#table_methods tbody tr')].map(r => +r.cells[2].textContent)"
+        for order in (False, True):
+            b.run("document.querySelectorAll('#table_methods thead button')[2].click()")
+            values = b.run(column)
+            self.assertEqual(values, sorted(values, reverse=order))
+
+    def test_a_page_of_checks_opens_to_its_rows(self):
+        b = self.open()
+        if not b.run("!!document.querySelector('#checks details')"):
+            self.skipTest("the page was made without checks")
+        self.assertEqual(b.run("document.querySelectorAll('#checks table').length"), 0, "built when opened")
+        b.run("document.querySelector('#checks details').open = true")
+        b.wait("document.querySelector('#checks details tbody tr')")
+        self.assertEqual(b.run("document.querySelectorAll('#checks details tbody tr').length"),
+                         int(b.run("document.querySelector('#checks summary span').textContent.match(/\\d+/)[0]")))
+        one = b.run("document.querySelector('#checks tbody tr').id")
+        b.open((REPORT / "index.html").as_uri() + "#" + one)
+        b.wait(f"document.getElementById('{one}')?.getBoundingClientRect().top < {WIDE[1]}")
+
+    def test_checks_are_found_by_words(self):
+        b = self.open()
+        if not b.run("!!document.querySelector('#checks_tools input')"):
+            self.skipTest("the page was made without checks")
+        b.run("(i => { i.value = 'energy'; i.dispatchEvent(new Event('input')); })(document.querySelector('#checks_tools input'))")
+        b.wait("document.querySelectorAll('#checks_found tbody tr').length > 3")
+        self.assertTrue(b.run("[...document.querySelectorAll('#checks_found tbody tr')].every(r => r.textContent.toLowerCase().includes('energy'))"))
+
+    # ---- other readers ----
+
+    def test_a_phone_scrolls_in_one_direction(self):
+        b = self.open(PHONE)
+        b.run("for (const s of document.querySelectorAll('main section')) s.style.contentVisibility = 'visible'")
+        self.assertLessEqual(b.run("document.documentElement.scrollWidth"), PHONE[0])
+        self.picture("phone")
+        b.run("document.querySelector('#contents_button').click()")
+        self.assertTrue(b.run("document.querySelector('#contents_list').offsetHeight > 100"))
+
+    def test_dark_is_dark_and_paper_is_white(self):
+        ground = "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)[0]"
+        b = self.open(scheme="dark")
+        self.picture("dark")
+        self.assertLess(b.run(ground), 60)
+        b.look(*WIDE, scheme="dark", media="print")
+        self.assertGreater(b.run(ground), 240)
+
+    def assert_accessible(self, size):
+        if not AXE:
+            self.skipTest("axe cannot be had: npm install axe-core, and AXE=.../axe.min.js")
+        b = self.open(size)
+        b.run("for (const s of document.querySelectorAll('main section')) s.style.contentVisibility = 'visible'")
+        b.run("(async () => { for (let y = 0; y < document.body.scrollHeight; y += 800) { scrollTo(0, y); await new Promise(f => setTimeout(f, 20)); } dispatchEvent(new Event('resize')); })()")
+        b.call("Runtime.evaluate", expression=pathlib.Path(AXE).read_text())
+        found = b.run("axe.run(document, { resultTypes: ['violations'] }).then(r => r.violations.map(v => v.id + ' (' + v.impact + '): ' + v.nodes.length + ', first ' + v.nodes[0].html.slice(0, 160)))")
+        self.assertEqual(found, [])
+
+    def test_axe_finds_nothing_on_a_wide_screen(self):
+        self.assert_accessible(WIDE)
+
+    def test_axe_finds_nothing_on_a_phone(self):
+        self.assert_accessible(PHONE)
+
+
+if __name__ == "__main__":
+    if not browser.found():
+        print("skipped: there is no Chromium here (Debian's package chromium)")
+        sys.exit(77)
+    ARTEFACTS.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)
