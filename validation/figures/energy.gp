@@ -11,6 +11,10 @@ set rmargin at screen 0.65
 if (end > 200) { set xtics 100 }
 stats energy using 14 skip 1 name 'residual' nooutput
 stats energy using 13 skip 1 name 'stiffening' nooutput
+stats energy using 8 skip 1 name 'viscous' nooutput
+stats energy using 10 skip 1 name 'rolling' nooutput
+stats energy using 7 skip 1 name 'link' nooutput
+stats energy using 11 skip 1 name 'tear' nooutput
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
 low = least(0, least(residual_min, stiffening_min))
@@ -29,10 +33,10 @@ set ylabel 'energy [J]' offset 1.2, 0
 set style fill solid 0.85 noborder
 stored(k) = column(2) + column(3) + column(4) + column(5) + column(6) - start
 plot energy using (speed * $1):(0):9 every rows_apart skip 1 with filledcurves lc rgb '#e69f00' title 'sliding friction', \
-     energy using (speed * $1):9:($9 + $8) every rows_apart skip 1 with filledcurves lc rgb '#56b4e9' title 'contact damping', \
-     energy using (speed * $1):($9 + $8):($9 + $8 + $10) every rows_apart skip 1 with filledcurves lc rgb '#009e73' title 'rolling friction', \
-     energy using (speed * $1):($9 + $8 + $10):($9 + $8 + $10 + $7) every rows_apart skip 1 with filledcurves lc rgb '#f0e442' title 'link damping', \
-     energy using (speed * $1):($9 + $8 + $10 + $7):($9 + $8 + $10 + $7 + $11) every rows_apart skip 1 with filledcurves lc rgb '#cc79a7' title 'tearing', \
+     energy using (speed * $1):9:($9 + $8) every rows_apart skip 1 with filledcurves lc rgb '#56b4e9' title (viscous_max > 0 ? 'contact damping' : ''), \
+     energy using (speed * $1):($9 + $8):($9 + $8 + $10) every rows_apart skip 1 with filledcurves lc rgb '#009e73' title (rolling_max > 0 ? 'rolling friction' : ''), \
+     energy using (speed * $1):($9 + $8 + $10):($9 + $8 + $10 + $7) every rows_apart skip 1 with filledcurves lc rgb '#f0e442' title (link_max > 0 ? 'link damping' : ''), \
+     energy using (speed * $1):($9 + $8 + $10 + $7):($9 + $8 + $10 + $7 + $11) every rows_apart skip 1 with filledcurves lc rgb '#cc79a7' title (tear_max > 0 ? 'tearing' : ''), \
      energy using (speed * $1):($9 + $8 + $10 + $7 + $11):($9 + $8 + $10 + $7 + $11 + stored(0)) every rows_apart skip 1 with filledcurves lc rgb '#0072b2' title 'stored since start', \
      energy using (speed * $1):12 every rows_apart skip 1 with lines lc rgb '#000000' lw 1.5 dt (5, 3) title 'work of the plate'
 
@@ -41,7 +45,7 @@ set bmargin at screen 0.145
 set key at screen 0.66, screen 0.39 left top vertical Left reverse noinvert samplen 1.2
 set format x '%g'
 set xlabel 'displacement of the plate [mm]' offset 0, 0.7
-set ylabel '[J]' offset 1.2, 0
+set ylabel 'not placed [J]' offset 1.2, 0
 set yrange [low - 0.04 * span:high + 0.1 * span]
 set ytics decade * (span / decade < 2 ? 0.5 : span / decade < 5 ? 1 : 2)
 set xzeroaxis lc rgb '#b0b0b0' lw 0.6 dt 1

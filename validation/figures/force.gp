@@ -1,5 +1,5 @@
 # Force on the plate against its displacement. Given: end (mm), bottom, top (N), blocks force (mm fx fy f), peaks (mm f),
-# levels (from to value under label; under: 1 if the label goes under the line) and uprights (at label): the numbers of the paper.
+# levels (from to value under label; under: 1 if the label goes under the line) and uprights (at label): the numbers of the paper; torn (mm): torn links.
 set terminal svg size 600, 410 font 'sans-serif,16' enhanced
 unset key
 set lmargin at screen 0.125
@@ -34,11 +34,12 @@ set label 'largest ΣF per 50 mm' at screen 0.51, screen row left
 set arrow from screen 0.815, screen row to screen 0.86, screen row nohead ls 4
 set label 'the paper' at screen 0.87, screen row left
 
-plot $force using 1:4 with lines ls 1, \
-     $force using 1:2 with lines ls 2, \
-     $force using 1:3 with lines ls 3, \
+plot $force using 1:4 with lines ls 1 title 'sum', \
+     $force using 1:2 with lines ls 2 title 'horizontal', \
+     $force using 1:3 with lines ls 3 title 'vertical', \
      $levels using 1:3:($2 - $1):(0) with vectors nohead ls 4, \
      $uprights using 1:(bottom):(0):(top - bottom) with vectors nohead ls 4, \
      $levels using (($1 + $2) / 2):($3 + ($4 > 0 ? -0.035 : 0.035) * (top - bottom)):5 with labels center font ',15' tc rgb '#005f46' noenhanced, \
      $uprights using 1:(top - 0.03 * (top - bottom)):2 with labels left offset 0.7, 0 font ',15' tc rgb '#005f46' noenhanced, \
+     $torn using 1:(bottom):(0):(0.04 * (top - bottom)) with vectors nohead lc rgb '#d00000' lw 1.2 title 'links torn', \
      $peaks using 1:2 with points ls 5

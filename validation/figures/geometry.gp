@@ -15,10 +15,12 @@ set xrange [4.6:33]
 set yrange [0.27:6.7]
 set xlabel 'spacing of the lattice [mm]' offset 0, 0.5
 set ylabel 'depth of the plate below the highest row [spacings]' offset 0.8, 0
-set cblabel 'misfit' offset 0.5, 0
+set cblabel 'misfit (dark: good)' offset 0.5, 0
 set cbrange [*:5]
-set palette @sequential
+set palette @sequential negative  # the best are dark
 set label 'scene file' at own_spacing, own_rows offset -1, -1.1 right tc rgb '#d55e00' front
+stats $settings using 1:2 every ::0::0 name 'best' nooutput
+set label 'best' at best_mean_x, best_mean_y offset 1.2, 0.9 left front
 plot $settings using 1:2:3 with points pt 7 ps 0.45 lc palette, \
      $settings every ::0::0 using 1:2 with points pt 4 ps 1.5 lw 2 lc rgb '#000000', \
      '+' using (own_spacing):(own_rows) every ::0::0 with points pt 2 ps 1.1 lw 2 lc rgb '#d55e00'

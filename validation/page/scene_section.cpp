@@ -94,7 +94,13 @@ class SceneSection {
     input.set("end", travel(run_))
         .set("bottom", low - 0.04 * (low < 0 ? high - low : 0))
         .set("top", high + 0.1 * (high - low));
-    input.block("force", curve).block("peaks", peaks).block("levels", levels).block("uprights", uprights);
+    std::vector<PlotInput::Row> torn;
+    for (const TornLink& link : run_.torn) torn.push_back({{link.mm}, ""});
+    input.block("torn", torn)
+        .block("force", curve)
+        .block("peaks", peaks)
+        .block("levels", levels)
+        .block("uprights", uprights);
     return framed(page_,
                   {page_.id("figure " + figure_name("force")),
                    plot(drawn(input, "force.gp", page_.files, figure_name("force"),

@@ -59,7 +59,7 @@ class Snapshots {
            (!s.disc.empty() || !s.packing.empty() || std::any_of(s.lattice.begin(), s.lattice.end(), heavy));
   }
 
-  // All that is in some frame, within the walls, and some room above for the arrows.
+  // All that is in some frame, discs that are pressed into walls among it, and some room above for the arrows.
   View view() const {
     View v;
     const auto include = [&](const Table& table, const char* x_column, const char* y_column, const char* reach_column) {
@@ -78,8 +78,8 @@ class Snapshots {
       include(f.plates, "left [m]", "lower [m]", "width [m]");
     }
     for (const Wall& w : run_.scene.wall) {
-      if (w.normal.y == 0) (w.normal.x > 0 ? v.x0 : v.x1) = w.point.x;
-      if (w.normal.x == 0) (w.normal.y > 0 ? v.y0 : v.y1) = w.point.y;
+      if (w.normal.y == 0) v.x0 = std::min(v.x0, w.point.x), v.x1 = std::max(v.x1, w.point.x);
+      if (w.normal.x == 0) v.y0 = std::min(v.y0, w.point.y);
     }
     if (!(v.x1 > v.x0)) v.x0 = 0, v.x1 = 1;
     if (!(v.y1 > v.y0)) v.y0 = 0, v.y1 = 1;

@@ -7,6 +7,7 @@
 
 #include "output/files.h"
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/convergence_headline.h"
 
 namespace furrow::validation {
 namespace {
@@ -64,11 +65,6 @@ double spread_of(const Numbers& results, const ConvergencePlan& plan, const Conv
 }
 
 std::string text_of(double step) { return number(std::round(1e7 * step) / 1e4) + " ms"; }
-
-// Whole newtons: "1135", not "1.13e+03".
-std::string rounded(double force) {
-  return force >= 100 ? std::to_string(std::lround(force)) : number(std::round(10 * force) / 10);
-}
 
 Json cell(const Numbers& results, const ConvergenceRun& one, const std::string& id) {
   if (failed(results, one)) return "diverged";
@@ -146,43 +142,6 @@ std::string largest_force_of(const std::string& scene) {
                                  : "largest_force_coupled";
 }
 
-// What the first screen says: the largest forces of all cases, as shares of those at the finest step.
-struct FoundCase {
-  ConvergenceCase c;
-  double at_papers = NAN, finest = NAN;  // N
-  double off() const { return std::fabs(at_papers / finest - 1); }
-};
-
-std::string percent(double share) { return std::to_string(std::lround(100 * share)); }
-
-void add_headline(Report& report, const std::vector<FoundCase>& found, const Tally& all,
-                  const std::string& finest_step) {
-  double most = 0;  // of the discs
-  std::string spheres;
-  for (const FoundCase& f : found) {
-    if (f.c.scene == "scenario_1" || !std::isfinite(f.off())) continue;
-    if (to_string(f.c.reading) == "disc") {
-      most = std::max(most, f.off());
-    } else {
-      spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + rounded(f.finest) + " N";
-    }
-  }
-  report.headline({.tile = "finding",
-                   .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
-                            "are off by no more than " +
-                            percent(most) + " %.",
-                   .text = "If it is a sphere, and the paper does not say which, that step makes them: with steps of " +
-                           finest_step + " " + spheres + ". Of " + std::to_string(all.numbers) + " numbers in all, " +
-                           std::to_string(all.at_papers_step) + " do not depend on the paper's step."});
-}
-
-Json shares_by_step(const Numbers& results, const ConvergencePlan& plan, const FoundCase& f) {
-  Json rows = Json::array();
-  for (const Json& row : forces_by_step(results, plan, f.c, largest_force_of(f.c.scene)))
-    rows.push_back({row[0], row[1].get<double>() / f.finest});
-  return rows;
-}
-
 }  // namespace
 
 Report convergence(const Shelf& shelf) {
@@ -197,14 +156,12 @@ Report convergence(const Shelf& shelf) {
   Json blocks = Json::object();
   Tally all;
   std::map<std::string, Tally> by_reading;
-  std::vector<FoundCase> found;
-  Json shares = Json::object();
+  std::vector<ConvergedForce> found;
   for (const ConvergenceCase& c : plan.cases) {
     const std::string id = largest_force_of(c.scene);
     const double at_papers = value_in(results, {c, "pece", papers_step}, id);
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
-    found.push_back({c, at_papers, finest});
-    shares["shares_" + c.scene.substr(9) + "_" + to_string(c.reading)] = shares_by_step(results, plan, found.back());
+    found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id)});
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
@@ -219,20 +176,7 @@ Report convergence(const Shelf& shelf) {
   }
   for (const auto& [reading, tally] : by_reading) report.text(in_plain_words(reading, tally));
   if (!results.quick()) {
-    add_headline(report, found, all, text_of(plan.steps.back()));
-    report.first_figure(
-        {.name = "finding",
-         .script = "finding.gp",
-         .caption = "Largest force on the plate, of that at " + text_of(plan.steps.back()) + ", against the time step.",
-         .description =
-             "Largest force against the time step, of that at the finest: near 1 for discs at every step up to the "
-             "paper's, up to " +
-             rounded(std::max_element(found.begin(), found.end(),
-                                      [](const FoundCase& a, const FoundCase& b) { return a.off() < b.off(); })
-                         ->off() +
-                     1) +
-             " times for spheres at the paper's step",
-         .blocks = shares});
+    add_headline(report, found, {all.at_papers_step, all.numbers}, text_of(plan.steps.back()));
     report.figure(
         {.name = "convergence",
          .script = "convergence.gp",

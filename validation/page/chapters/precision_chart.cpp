@@ -45,8 +45,15 @@ int style_of(const std::string& curve) {
   return 1 + static_cast<int>(own - styled.begin());
 }
 
-// Of the variants that locate events the chart shows some; all are in the tables and the data.
-std::string curve_of(const WorkPrecisionCurve& method_curve) {
+using Winners = std::vector<std::string>;
+
+bool wins(const Winners& winners, const std::string& name) {
+  return std::find(winners.begin(), winners.end(), name) != winners.end();
+}
+
+// Of the variants that locate events the chart shows some, and those that win; all are in the tables and the data.
+std::string curve_of(const WorkPrecisionCurve& method_curve, const Winners& winners) {
+  if (wins(winners, method_curve.name())) return method_curve.name();
   std::string family = family_of(method_curve.method);
   if (family != method_curve.method) return family;
   const bool drawn = std::find(located.begin(), located.end(), method_curve.name()) != located.end();
@@ -92,10 +99,10 @@ void keep_envelope(std::vector<Mark>& marks) {
 }
 
 std::map<std::pair<int, std::string>, Curve> curves_of(const std::vector<WorkPrecisionCurve>& method_curves,
-                                                       bool by_force) {
+                                                       bool by_force, const Winners& winners) {
   std::map<std::pair<int, std::string>, Curve> curves;
   for (const WorkPrecisionCurve& method_curve : method_curves) {
-    const std::string family = curve_of(method_curve);
+    const std::string family = curve_of(method_curve, winners);
     if (family.empty()) continue;
     add(curves[{style_of(family), family}], method_curve, by_force);
   }
@@ -108,6 +115,12 @@ std::map<std::pair<int, std::string>, Curve> curves_of(const std::vector<WorkPre
   return curves;
 }
 
+std::string joined(const Winners& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list.empty() ? "none" : list;
+}
+
 Json digits(double value) {
   if (!std::isfinite(value)) return {};
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3);
@@ -117,23 +130,28 @@ Json digits(double value) {
 }  // namespace
 
 Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurve>& method_curves, double floor,
-                       const WorkPrecisionPoint* paper) {
+                       const WorkPrecisionPoint* paper, const std::vector<std::string>& winners) {
   Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
-  figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
-                   " against evaluations and CPU time. Crosses: the run failed, or its error is above 1. Grey: the "
-                   "best of each family "
-                   "of Boost.Odeint. Star: the paper's setting. Bars: spread of the repeats. Below the dashed line the "
-                   "references do not "
-                   "distinguish errors: what is smaller is drawn on it.";
-  figure.description = "Work-precision chart of " + info.title;
-  std::string names, styles;
+  figure.caption =
+      "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
+      " against evaluations and CPU time. Thick: the paper's method, and what needs least for the paper's own error (" +
+      joined(winners) +
+      "). Grey: the best of each family of Boost.Odeint. Crosses: the run failed, or its error is above 1. "
+      "Star: the paper's setting. Bars: spread of the repeats. Below the dotted line the references do not distinguish "
+      "errors: "
+      "what is smaller is drawn on it.";
+  figure.description =
+      info.title + ": error against cost; the paper's error is reached for least by " + joined(winners);
+  std::string names, styles, first;
   int count = 0;
   for (const char* name : cost_names) {
     figure.blocks["curves_" + std::string(name)] = Json::array();
     figure.blocks["failures_" + std::string(name)] = Json::array();
     figure.blocks["star_" + std::string(name)] = Json::array();
   }
-  for (const auto& [key, curve] : curves_of(method_curves, info.by_force)) {
+  for (const auto& [key, curve] : curves_of(method_curves, info.by_force, winners)) {
+    const bool in_front = key.second == "pece" || wins(winners, key.second);
+    first += in_front ? " 1" : " 0";
     names += (count == 0 ? "" : ";") + key.second;
     styles += " " + std::to_string(key.first);
     ++count;
@@ -150,7 +168,10 @@ Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurv
       figure.blocks["star_" + std::string(cost_names[k])].push_back(
           {digits(paper->*costs[k]), digits(std::clamp(paper->error_by(info.by_force), floor, useless))});
   }
-  figure.variables = {{"names", names}, {"styles", styles}, {"count", count}, {"low", floor}};
+  figure.variables = {
+      {"names", names}, {"styles", styles},
+      {"first", first}, {"count", count},
+      {"low", floor},   {"need", paper ? std::clamp(paper->error_by(info.by_force), floor, useless) : useless}};
   return figure;
 }
 

@@ -8,6 +8,7 @@ namespace furrow::validation {
 
 // `paper`: the paper's setting, a star; may be null.
 Figure precision_chart(const CaseInfo& info, const std::vector<benchmarks::WorkPrecisionCurve>& method_curves,
-                       double floor, const benchmarks::WorkPrecisionPoint* paper);
+                       double floor, const benchmarks::WorkPrecisionPoint* paper,
+                       const std::vector<std::string>& winners);
 
 }  // namespace furrow::validation

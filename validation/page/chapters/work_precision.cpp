@@ -93,6 +93,17 @@ void add_paper(Report& report, const Found& f) {
   if (!third) add_bound(report, f, paper->evaluations);
 }
 
+// What reaches the paper's own error for least, by evaluations and by CPU time.
+std::vector<std::string> winners(const Found& f) {
+  std::vector<std::string> names;
+  const WorkPrecisionPoint* paper = paper_point(f);
+  for (const auto cost : {&WorkPrecisionPoint::evaluations, &WorkPrecisionPoint::cpu}) {
+    const std::string name = paper ? cheapest_at(f, paper->error_by(f.info.by_force), cost).method : "";
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 // The first screen: the paper's own error in each of its scenes, and what the best method needs for it.
 void add_headline(Report& report, const std::vector<Found>& all) {
   std::string errors, shares;
@@ -149,11 +160,12 @@ Report work_precision(const Shelf& shelf) {
       "steps pays for it in CPU time. +t: tears are located within the step; +e: so are touches, slips and forces held "
       "at zero, and steps behind a "
       "touch are graded; what that costs is counted. Tried with the own methods.");
+  add_summary(report, all);
   add_gains(report, all);
   for (const Found& f : all) {
     report.heading(f.info.name + ": " + f.info.title);
     const WorkPrecisionPoint* paper = paper_point(f);
-    report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper));
+    report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper, winners(f)));
     add_failures(report, f);
   }
   add_references(report, all);

@@ -30,6 +30,8 @@ const benchmarks::WorkPrecisionPoint* paper_point(const Found& found);
 // The references do not distinguish errors below. NaN if one of them failed.
 double floor_of(const Found& found);
 
+// The best of all methods in each problem, in one figure, beside the paper's setting.
+void add_summary(Report& report, const std::vector<Found>& all);
 void add_references(Report& report, const std::vector<Found>& all);
 void add_predictability(Report& report, const std::vector<Found>& all);
 

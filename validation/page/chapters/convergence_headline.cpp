@@ -1,0 +1,64 @@
+#include "validation/page/chapters/convergence_headline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/files.h"
+
+namespace furrow::validation {
+namespace {
+
+// Shares of the force at the finest step.
+Json shares_of(const std::vector<ConvergedForce>& found) {
+  Json blocks = Json::object();
+  for (const ConvergedForce& f : found) {
+    Json rows = Json::array();
+    for (const Json& row : f.by_step) rows.push_back({row[0], row[1].get<double>() / f.finest});
+    blocks["shares_" + f.c.scene.substr(9) + "_" + to_string(f.c.reading)] = rows;
+  }
+  return blocks;
+}
+
+Figure figure_of(const std::vector<ConvergedForce>& found, const std::string& finest_step) {
+  double most = 0;
+  for (const ConvergedForce& f : found) most = std::fmax(most, f.at_papers / f.finest);
+  return {.name = "finding",
+          .script = "finding.gp",
+          .caption = "Largest force on the plate, of that at " + finest_step + ", against the time step.",
+          .description =
+              "Largest force against the time step, of that at the finest: near 1 for discs at every step up "
+              "to the paper's, up to " +
+              rounded(most) + " times for spheres at the paper's step",
+          .blocks = shares_of(found)};
+}
+
+}  // namespace
+
+std::string rounded(double force) {
+  return force >= 100 ? std::to_string(std::lround(force)) : number(std::round(10 * force) / 10);
+}
+
+void add_headline(Report& report, const std::vector<ConvergedForce>& found, std::pair<int, int> settled,
+                  const std::string& finest_step) {
+  double most = 0;  // of the discs
+  std::string spheres;
+  for (const ConvergedForce& f : found) {
+    if (f.c.scene == "scenario_1" || !std::isfinite(f.off())) continue;
+    if (f.c.reading == Reading::disc) {
+      most = std::max(most, f.off());
+    } else {
+      spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + rounded(f.finest) + " N";
+    }
+  }
+  report.headline({.tile = "finding",
+                   .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
+                            "are off by no more than " +
+                            std::to_string(std::lround(100 * most)) + " %.",
+                   .text = "If it is a sphere, and the paper does not say which, that step makes them: with steps of " +
+                           finest_step + " " + spheres + ". Of " + std::to_string(settled.second) +
+                           " numbers in all, " + std::to_string(settled.first) +
+                           " do not depend on the paper's step."});
+  report.first_figure(figure_of(found, finest_step));
+}
+
+}  // namespace furrow::validation
