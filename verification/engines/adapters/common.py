@@ -83,7 +83,8 @@ def crest(values):
 
 
 def contact_time(depths):
-    first = next(t for t, depth in depths if depth >= 0)
+    rounding = 1e-9 * max(depth for _, depth in depths)  # bodies that touch at the start do so but for round-off
+    first = next(t for t, depth in depths if depth >= -rounding)
     for (t0, before), (t1, after) in zip(depths, depths[1:]):
         if before > 0 >= after:
             return t0 + (t1 - t0) * before / (before - after) - first

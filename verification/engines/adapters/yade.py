@@ -102,7 +102,10 @@ def run(case, folder):
     with open(f"{folder}/script.py", "w", encoding="utf-8") as out:
         out.write(SCRIPT)
     common.call([YADE, "-n", "-x", "-j1", "script.py", "task.json"], folder, env=os.environ | {"OMP_NUM_THREADS": "1", "DISPLAY": ""}, stdin=-3)
-    frames = []
+    start = common.Frame(0.0)  # of iteration 0 YADE notes nothing
+    for name, body in case.bodies.items():
+        start.place[name], start.speed[name], start.spin[name], start.force[name] = body["position"], body["velocity"], body["spin"], (0.0, 0.0)
+    frames = [start]
     with open(f"{folder}/rows.json", encoding="utf-8") as rows:
         for t, row in json.load(rows):
             frame = common.Frame(t)
