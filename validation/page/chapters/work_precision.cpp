@@ -123,23 +123,6 @@ void add_headline(Report& report, const std::vector<Found>& all) {
                  shares + " of the evaluations."});
 }
 
-// By method the finest setting that failed, and one failure in full.
-void add_failures(Report& report, const Found& f) {
-  std::string left_out, failed, example;
-  for (const WorkPrecisionCurve& l : f.method_curves) {
-    if (!l.left_out.empty()) left_out += " " + l.name() + " is left out: " + l.left_out + ".";
-    const auto finest = std::find_if(l.points.rbegin(), l.points.rend(),
-                                     [](const WorkPrecisionPoint& p) { return !p.failure.empty(); });
-    if (finest == l.points.rend()) continue;
-    failed += (failed.empty() ? "" : ", ") + l.name() + " " + shown(finest->setting);
-    if (example.empty()) example = l.name() + " at " + shown(finest->setting) + ": " + finest->failure;
-  }
-  if (!failed.empty())
-    report.text("Finest step (of controlled methods: tolerance) that failed: " + failed + ". The first of them, " +
-                example + ".");
-  if (!left_out.empty()) report.text("Not run:" + left_out);
-}
-
 }  // namespace
 
 Report work_precision(const Shelf& shelf) {
@@ -166,8 +149,8 @@ Report work_precision(const Shelf& shelf) {
     report.heading(f.info.name + ": " + f.info.title);
     const WorkPrecisionPoint* paper = paper_point(f);
     report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper, winners(f)));
-    add_failures(report, f);
   }
+  add_failures(report, all);
   add_references(report, all);
   add_predictability(report, all);
   return report;

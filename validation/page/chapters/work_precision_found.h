@@ -32,6 +32,8 @@ double floor_of(const Found& found);
 
 // The best of all methods in each problem, in one figure, beside the paper's setting.
 void add_summary(Report& report, const std::vector<Found>& all);
+// What failed and what was not run: all methods and all scenes in two tables.
+void add_failures(Report& report, const std::vector<Found>& all);
 void add_references(Report& report, const std::vector<Found>& all);
 void add_predictability(Report& report, const std::vector<Found>& all);
 
