@@ -30,11 +30,15 @@
   contents.addEventListener("click", (e) => e.target.closest("a") && open(false));
   addEventListener("keydown", (e) => e.key === "Escape" && open(false));
   const lines = new Map(all("#contents a").map((a) => [a.getAttribute("href").slice(1), a]));
-  const places = [...lines.keys()].map((id) => document.getElementById(id)).filter((e) => e && e.tagName === "SECTION");
+  const in_order = (a, b) => (a.compareDocumentPosition(b) & Node.DOCUMENT_POSITION_FOLLOWING ? -1 : 1);
+  const places = [...lines.keys()].map((id) => document.getElementById(id)).filter((e) => e && e.tagName === "SECTION").sort(in_order);
   const follow = () => {
     let here = null;
     for (const place of places) if (place.getBoundingClientRect().top < innerHeight / 3) here = place;
-    for (const a of lines.values()) a.classList.remove("current");
+    for (const a of lines.values()) {
+      a.classList.remove("current");
+      a.removeAttribute("aria-current");
+    }
     if (here) {
       const line = lines.get(here.id);
       line.classList.add("current");
