@@ -107,7 +107,7 @@ TEST_F(Terminal, SettlingSaysWhatItWaitsFor) {
 }
 
 TEST_F(Terminal, AFileGetsNoBar) {
-  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 20 --out here").code, 0);
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 2 --out here").code, 0);
   EXPECT_EQ(err(), "");
 }
 
