@@ -254,6 +254,32 @@ TEST_F(Explain, TheScenesStepIsWellInsideUpToHalfOfItsLimit) {
   EXPECT_EQ(code_, 0);
 }
 
+// By hand: 16.5 k s, 10.25 k s^3, 2 k s of three columns of springs all alike; the rod by d = 4 sqrt(EI/EA).
+TEST_F(Explain, SaysWhichBeamALatticeIs) {
+  const std::string lattice = R"(
+title = "Stem"
+time = { end = 0.1, step = 1e-4 }
+material = [{ name = "soft", young = 1e6, poisson = 0.25 }]
+[[lattice]]
+name = "stem"
+origin = [0.0, 0.0]
+rows = 10
+columns = 3
+spacing = 0.01
+node_mass = 5.0
+material = "soft"
+fixed_rows = [0, 1]
+structural = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
+shear = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
+bending = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
+)";
+  const std::string text = explain(lattice);
+  ASSERT_EQ(code_, 0) << errors_;
+  EXPECT_NE(text.find("EA = 1650 N, EI = 0.1025 N m^2, GA = 200 N, nu = 0.25"), std::string::npos) << text;
+  EXPECT_NE(text.find("diameter 0.03153 m, young 2.114e+06 Pa"), std::string::npos) << text;
+  EXPECT_NE(text.find("tears in tension at 330 N, in bending at 2.05 N m"), std::string::npos) << text;
+}
+
 TEST_F(Explain, CountsWhatIsModelled) {
   const std::string text = explain(discs);
   // 2 discs: x, y, vx, vy, spin; room for springs and one dummy slot; 7 of the ledger.

@@ -28,7 +28,7 @@ std::string read_errors(const std::string& text) {
 
 // The keys that the reader knows in a table: for a name that is near to none it lists all.
 std::set<std::string> known_to_reader(const SceneKey& table) {
-  const SceneKey stranger{.path = "zzzzzzzzzzzzzzzz", .type = Type::text};
+  const SceneKey stranger{.path = table.path + ".zzzzzzzzzzzzzzzz", .type = Type::text};
   std::string text = scene_with(stranger, "");
   const std::string header = table.list ? "[[" + table.path + "]]\n" : '[' + table.path + "]\n";
   text.insert(text.find(header) + header.size(), "zzzzzzzzzzzzzzzz = 1\n");

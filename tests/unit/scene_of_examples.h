@@ -18,12 +18,16 @@ inline std::vector<std::string> needed(const std::string& table, const std::stri
   return {};
 }
 
+// A lattice is a stem only where that is what is looked at: other keys follow from it.
+inline bool of_stem(const SceneKey& changed) { return changed.path.starts_with("lattice.stem."); }
+
 inline std::string keys_of(const std::string& table, const SceneKey& changed, const std::string& value) {
   if (changed.path == "material.rigid" && table == "material") return keys_of(table, {}, "");  // see the second one
   const std::vector<std::string> also = needed(table, changed.path);
   std::string text;
   for (const SceneKey& key : scene_keys()) {
     if (key.table() != (table.empty() ? "" : table + '.') || key.type == SceneKey::Type::table) continue;
+    if (of_stem(changed) && !key.follows.empty()) continue;
     const bool given = key.required || std::find(also.begin(), also.end(), key.name()) != also.end();
     if (key.path == changed.path && !value.empty())
       text += key.name() + " = " + value + '\n';
@@ -38,6 +42,7 @@ inline std::string scene_with(const SceneKey& changed, const std::string& value)
   std::string text = keys_of("", changed, value);
   for (const SceneKey& table : scene_keys()) {
     if (table.type != SceneKey::Type::table) continue;
+    if (of_stem(changed) ? !table.follows.empty() : table.path == "lattice.stem") continue;
     text += (table.list ? "[[" + table.path + "]]\n" : '[' + table.path + "]\n") + keys_of(table.path, changed, value);
     if (table.path != "material") continue;
     text += "[[material]]\nname = \"steel\"\n";
