@@ -159,8 +159,8 @@ void describe(auto& v, NodeSetting& n) {
 }
 
 void describe(auto& v, Drive& d) {
-  v("rows", d.rows, {"", not_negative, "[9]", "Rows whose nodes are driven."});
-  v("columns", d.columns, {"", not_negative, "[2]", "Columns whose nodes are driven."});
+  v("rows", d.rows, {"", not_negative, "[3]", "Rows whose nodes are driven, fixed columns or not."});
+  v("columns", d.columns, {"", not_negative, "[2]", "Columns whose nodes are driven, fixed rows or not."});
   v.required("velocity", d.velocity, {"m/s", finite, "[0.1, 0.0]", "Of these nodes, whatever acts on them."});
   v("ramp", d.ramp,
     {"s", not_negative, "0.1", "Time in which they reach it from rest, at a constant acceleration. 0: at once."});

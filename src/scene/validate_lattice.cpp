@@ -112,7 +112,7 @@ class LatticeJudge {
       return share(rows, d.rows) || share(columns, d.columns) || (!rows.empty() && !d.columns.empty()) ||
              (!columns.empty() && !d.rows.empty());
     };
-    if (meet(lattice_.fixed_rows, lattice_.fixed_columns))
+    if (share(lattice_.fixed_rows, d.rows) || share(lattice_.fixed_columns, d.columns))
       fault(where, "drives nodes that are fixed", {".fixed_rows", ".fixed_columns"});
     for (std::size_t k = 0; k < number; ++k)
       if (meet(lattice_.drive[k].rows, lattice_.drive[k].columns))

@@ -14,6 +14,11 @@ inline std::vector<std::string> needed(const std::string& table, const std::stri
   if (table == "material") return {"young", changed == "material.shear" ? "shear" : "poisson"};
   if (table == "contact" && changed == "model.law") return {"normal_stiffness"};
   if (changed == table + ".tangential_damping") return {"damping"};
+  if (table == "lattice.drive" && changed != "lattice.drive.columns") return {"rows"};
+  if (table == "lattice.link" && changed == "lattice.link.from") return {"to"};
+  if (table == "lattice.link" && changed == "lattice.link.to") return {"from"};
+  if (table == "lattice.link" && changed == "lattice.link.cut_from") return {"cut_to"};
+  if (table == "lattice.link" && changed == "lattice.link.cut_to") return {"cut_from"};
   if (table == "plate" && changed != "plate.working_depth") return {"lower_edge"};
   return {};
 }

@@ -230,12 +230,13 @@ TEST(Drives, ThatMeetEachOtherOrFixedNodesAreRefused) {
   Scene scene = sound_scene();
   Lattice& l = scene.lattice[0];
   l.fixed_rows = {0};
-  l.drive = {{.rows = {2}}, {.columns = {0}}, {}};
+  l.drive = {{.rows = {2}}, {.columns = {0}}, {}, {.rows = {0}}};
   Lines lines;
   for (const auto& [path, message] : problems_of(scene)) lines.push_back(path + ": " + message);
-  EXPECT_EQ(lines, (Lines{"lattice[0].drive[1]: drives nodes that are fixed",
-                          "lattice[0].drive[1]: drives nodes that lattice[0].drive[0] drives",
-                          "lattice[0].drive[2]: drives rows or columns: give one of them"}));
+  EXPECT_EQ(lines, (Lines{"lattice[0].drive[1]: drives nodes that lattice[0].drive[0] drives",
+                          "lattice[0].drive[2]: drives rows or columns: give one of them",
+                          "lattice[0].drive[3]: drives nodes that are fixed",
+                          "lattice[0].drive[3]: drives nodes that lattice[0].drive[1] drives"}));
 }
 
 }  // namespace
