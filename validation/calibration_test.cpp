@@ -274,7 +274,7 @@ TEST(Calibration, ReadsTheSameTargetsFromJson) {
 }
 
 TEST(Residual, IsNothingWhereALimitIsKept) {
-  Target t;
+  CalibrationTarget t;
   t.value = {10, 20};
   t.tolerance = 2;
   const auto of = [&t](Relation relation, const Json& value) {

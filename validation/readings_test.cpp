@@ -122,7 +122,7 @@ TEST(SentenceVerdict, SaysWhereThePaperContradictsItself) {
 // A made-up world in which one alternative alone brings a row, whatever else is chosen.
 TEST(Search, ExchangesItsWayToWhatBringsARow) {
   std::size_t made = 0;
-  const Found found = search_readings(
+  const ReadingsFound found = search_readings(
       [&](const std::vector<Task>& tasks) {
         std::vector<Json> results;
         for (const Task& task : tasks) {

@@ -11,10 +11,10 @@ namespace {
 
 using verification::case_named;
 using verification::case_names;
+using verification::CaseVerdict;
 using verification::judge_case;
 using verification::Judgement;
 using verification::to_string;
-using verification::Verdict;
 
 std::map<std::string, Judgement> judge_all(const Engine& engine) {
   std::map<std::string, Judgement> all;
@@ -32,8 +32,8 @@ TEST(Engines, FurrowIsRightInEveryCaseThatItsSceneCanExpress) {
   const std::set<std::string> missing{"linear", "no_tangential_damping"};
   for (const char* method : {"verlet", "pece", "rk4"}) {
     for (const auto& [name, j] : judge_all([&](const Json& r) { return verification::furrow_answer(r, method); })) {
-      const bool cannot = j.verdict == Verdict::cannot && missing.contains(j.words);
-      EXPECT_TRUE(cannot || j.verdict == Verdict::right)
+      const bool cannot = j.verdict == CaseVerdict::cannot && missing.contains(j.words);
+      EXPECT_TRUE(cannot || j.verdict == CaseVerdict::right)
           << method << ", " << name << ": " << to_string(j.verdict) << ", " << j.words;
     }
   }
@@ -42,7 +42,7 @@ TEST(Engines, FurrowIsRightInEveryCaseThatItsSceneCanExpress) {
 TEST(Engines, EachThatIsWrongOnPurposeIsFoundByACase) {
   for (const WrongEngine& wrong : wrong_engines()) {
     const Judgement j = judge_case(case_named(wrong.found_by), wrong.answer);
-    EXPECT_GT(j.verdict, Verdict::cannot) << wrong.name << " in " << wrong.found_by << ": " << j.words;
+    EXPECT_GT(j.verdict, CaseVerdict::cannot) << wrong.name << " in " << wrong.found_by << ": " << j.words;
   }
 }
 
@@ -52,7 +52,7 @@ TEST(Engines, TheExampleOfTheProtocolIsRightWhereItClaimsToBe) {
   const std::map<std::string, Judgement> all = judge_all(example);
   for (const char* name : {"hertz_wall", "hertz_wall_of_the_same", "hertz_slow", "hertz_fast", "leaning_wall"})
     EXPECT_EQ(to_string(all.at(name).verdict), "right") << name << ": " << all.at(name).words;
-  for (const auto& [name, j] : all) EXPECT_LE(j.verdict, Verdict::cannot) << name << ": " << j.words;
+  for (const auto& [name, j] : all) EXPECT_LE(j.verdict, CaseVerdict::cannot) << name << ": " << j.words;
 }
 
 }  // namespace

@@ -8,12 +8,12 @@
 namespace furrow::test {
 namespace {
 
+using verification::CaseVerdict;
 using verification::Finding;
 using verification::Json;
 using verification::judge_case;
 using verification::judge_observable;
 using verification::Judgement;
-using verification::Verdict;
 
 const std::vector<int> steps{250, 1000, 4000};
 
@@ -29,37 +29,37 @@ Finding judged(const std::function<double(double h)>& value, double claimed, con
 }
 
 TEST(Verdict, AnErrorThatFallsWithTheClaimedOrderIsRight) {
-  EXPECT_EQ(judged([](double h) { return 2 + 5 * h * h; }, 2).verdict, Verdict::right);
-  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 1).verdict, Verdict::right);
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h * h; }, 2).verdict, CaseVerdict::right);
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 1).verdict, CaseVerdict::right);
 }
 TEST(Verdict, ALowerOrderThanClaimedIsLower) {
-  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 2).verdict, Verdict::lower_order);
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 2).verdict, CaseVerdict::lower_order);
 }
 TEST(Verdict, TheOrderThatTheCaseAllowsIsEnough) {
-  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 4, {{"limit", 1}}).verdict, Verdict::right);
+  EXPECT_EQ(judged([](double h) { return 2 + 5 * h; }, 4, {{"limit", 1}}).verdict, CaseVerdict::right);
 }
 TEST(Verdict, AnErrorBelowTheFloorIsRightWithoutAnOrder) {
-  EXPECT_EQ(judged([](double) { return 2 + 1e-12; }, 4).verdict, Verdict::right);
-  EXPECT_NE(judged([](double) { return 2 + 1e-11; }, 4).verdict, Verdict::right);
+  EXPECT_EQ(judged([](double) { return 2 + 1e-12; }, 4).verdict, CaseVerdict::right);
+  EXPECT_NE(judged([](double) { return 2 + 1e-11; }, 4).verdict, CaseVerdict::right);
 }
 TEST(Verdict, WhatConvergesElsewhereIsAnotherLawWithItsLimit) {
   const Finding f = judged([](double h) { return 2.01 + 5 * h * h; }, 2);
-  EXPECT_EQ(f.verdict, Verdict::another_law);
+  EXPECT_EQ(f.verdict, CaseVerdict::another_law);
   EXPECT_NEAR(f.limit, 2.01, 1e-6);
-  EXPECT_EQ(judged([](double h) { return 2.01 + 5 * h; }, 1).verdict, Verdict::another_law);
+  EXPECT_EQ(judged([](double h) { return 2.01 + 5 * h; }, 1).verdict, CaseVerdict::another_law);
 }
 TEST(Verdict, WhatDoesNotSettleHasFailed) {
-  EXPECT_EQ(judged([](double h) { return 2 + std::sin(1 / h); }, 2).verdict, Verdict::failed);
+  EXPECT_EQ(judged([](double h) { return 2 + std::sin(1 / h); }, 2).verdict, CaseVerdict::failed);
 }
 TEST(Verdict, AnEventIsRightWithinItsStepAndLateBeyond) {
-  EXPECT_EQ(judged([](double h) { return 2 + 0.9 * h; }, 2, {{"kind", "step"}}).verdict, Verdict::right);
-  EXPECT_EQ(judged([](double h) { return 2 + 1.9 * h; }, 2, {{"kind", "step"}}).verdict, Verdict::lower_order);
-  EXPECT_EQ(judged([](double h) { return 2.1 + h; }, 2, {{"kind", "step"}}).verdict, Verdict::another_law);
+  EXPECT_EQ(judged([](double h) { return 2 + 0.9 * h; }, 2, {{"kind", "step"}}).verdict, CaseVerdict::right);
+  EXPECT_EQ(judged([](double h) { return 2 + 1.9 * h; }, 2, {{"kind", "step"}}).verdict, CaseVerdict::lower_order);
+  EXPECT_EQ(judged([](double h) { return 2.1 + h; }, 2, {{"kind", "step"}}).verdict, CaseVerdict::another_law);
 }
 TEST(Verdict, AStatisticIsRightInsideItsInterval) {
   const Json band{{"kind", "interval"}, {"interval", {1.0, 3.0}}};
-  EXPECT_EQ(judged([](double h) { return 1 + h; }, 2, band).verdict, Verdict::right);
-  EXPECT_EQ(judged([](double) { return 3.001; }, 2, band).verdict, Verdict::another_law);
+  EXPECT_EQ(judged([](double h) { return 1 + h; }, 2, band).verdict, CaseVerdict::right);
+  EXPECT_EQ(judged([](double) { return 3.001; }, 2, band).verdict, CaseVerdict::another_law);
 }
 
 // One answer for all requests.
@@ -68,29 +68,29 @@ Judgement judgement_of(const Json& answer) {
 }
 
 TEST(Judge, AnAnswerThatDoesNotFollowTheProtocolHasFailed) {
-  EXPECT_EQ(judgement_of({{"engine", "x"}}).verdict, Verdict::failed);
-  EXPECT_EQ(judgement_of({{"engine", "x"}, {"observables", Json::object()}}).verdict, Verdict::failed);
-  EXPECT_EQ(judgement_of(Json::array({1})).verdict, Verdict::failed);
+  EXPECT_EQ(judgement_of({{"engine", "x"}}).verdict, CaseVerdict::failed);
+  EXPECT_EQ(judgement_of({{"engine", "x"}, {"observables", Json::object()}}).verdict, CaseVerdict::failed);
+  EXPECT_EQ(judgement_of(Json::array({1})).verdict, CaseVerdict::failed);
   const Json whole = verification::case_named("hertz_wall");
   Json none{{"engine", "x"}, {"order", 2}, {"observables", Json::object()}};
   for (const Json& seen : whole["observe"]) none["observables"][seen["name"].get<std::string>()] = nullptr;
-  EXPECT_EQ(judgement_of(none).verdict, Verdict::failed);
+  EXPECT_EQ(judgement_of(none).verdict, CaseVerdict::failed);
 }
 TEST(Judge, AnEngineThatCannotIsNotHeldToIt) {
   const Judgement j = judgement_of({{"engine", "x"}, {"cannot", "no walls"}});
-  EXPECT_EQ(j.verdict, Verdict::cannot);
+  EXPECT_EQ(j.verdict, CaseVerdict::cannot);
   EXPECT_EQ(j.words, "no walls");
 }
 TEST(Judge, AProgramThatEndsBadlyHasFailedWithItsLastWords) {
   const Judgement j =
       judge_case(verification::case_named("hertz_wall"), verification::program_engine("echo no luck >&2; exit 3", 10));
-  EXPECT_EQ(j.verdict, Verdict::failed);
+  EXPECT_EQ(j.verdict, CaseVerdict::failed);
   EXPECT_NE(j.words.find("code 3: no luck"), std::string::npos) << j.words;
 }
 TEST(Judge, AProgramThatDoesNotEndIsStopped) {
   const Judgement j =
       judge_case(verification::case_named("hertz_wall"), verification::program_engine("sleep 100", 0.2));
-  EXPECT_EQ(j.verdict, Verdict::failed);
+  EXPECT_EQ(j.verdict, CaseVerdict::failed);
   EXPECT_NE(j.words.find("was stopped"), std::string::npos) << j.words;
 }
 TEST(Judge, AProgramGetsTheRequestOnItsStandardInput) {

@@ -25,7 +25,7 @@ class Shaker {
   void follows(const char*, const char*) {}
   template <class Enum>
   void choice(const char* key, Enum& field, std::initializer_list<Choice<Enum>> choices, std::string_view) {
-    if (std::string(key) != "disc_mass")
+    if (std::string(key) != "disc_mass" && std::string(key) != "law")  // they need other keys
       field = (choices.begin() + *rc::gen::inRange<std::size_t>(0, choices.size()))->value;
   }
 

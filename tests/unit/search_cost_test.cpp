@@ -6,6 +6,7 @@
 
 #include "kernel/search.h"
 #include "scenes.h"
+#include "system/border.h"
 
 namespace furrow {
 namespace {
@@ -115,6 +116,7 @@ void expect_complete(const Heap& heap, double t, double skin, double cell, const
   how.skin = skin;
   how.cell_size = cell;
   NeighbourSearch search(heap.parts, how);
+  search.border = touched_segments(heap.parts, {});
   search.update(heap.parts, heap.now(t));
   const double reach = search.margin + skin;
   for (const ContactKind kind : {disc_disc, disc_wall, disc_plate, node_wall, node_plate})

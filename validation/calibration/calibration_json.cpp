@@ -26,7 +26,7 @@ Json json_of(const VariedKey& key) {
   return json;
 }
 
-Json json_of(const Target& target) {
+Json json_of(const CalibrationTarget& target) {
   Json json{{"name", target.name}, {"scene", target.scene}, {"weight", target.weight}};
   if (target.curve) {
     json.update({{"curve", target.curve->file}, {"component", target.curve->component}});
@@ -97,7 +97,7 @@ Json json_of(const Calibration& c) {
   json["keys"] = Json::array();
   for (const VariedKey& key : c.keys) json["keys"].push_back(json_of(key));
   json["targets"] = Json::array();
-  for (const Target& target : c.targets.all) json["targets"].push_back(json_of(target));
+  for (const CalibrationTarget& target : c.targets.all) json["targets"].push_back(json_of(target));
   json["search"] = {{"points", c.points}, {"failed", c.failed}, {"runs_made", c.made}, {"runs_replayed", c.replayed}};
   json["best"] = Json::array();
   for (const Candidate& candidate : c.best) json["best"].push_back(json_of(candidate, c));
@@ -119,8 +119,7 @@ void write_calibration(const Calibration& c, const fs::path& directory) {
   for (const auto& [name, content] : page.files) replace_file(directory / name, content);
   replace_file(directory / "calibration.html",
                "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                   escaped(c.targets.title) + "</title>\n<style>\n" +
-                   page_file("page.css") +
+                   escaped(c.targets.title) + "</title>\n<style>\n" + page_file("page.css") +
                    "</style>\n</head>\n<body>\n<main>\n<section>\n" + html + "</section>\n</main>\n</body>\n</html>\n");
 }
 

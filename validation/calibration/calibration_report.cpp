@@ -30,7 +30,7 @@ double misfit_of(const Calibration& c, const Point& point, std::size_t k) {
   return sum / static_cast<double>(point.values.size());
 }
 
-std::string wanted(const Target& t) {
+std::string wanted(const CalibrationTarget& t) {
   if (t.curve) return t.curve->file + ", " + t.curve->component;
   if (t.relation == Relation::says) return t.words;
   if (t.relation == Relation::between) return digits(t.value[0]) + " to " + digits(t.value[1]);
@@ -61,7 +61,7 @@ void add_targets(Report& report, const Calibration& c) {
   std::vector<std::vector<Json>> rows;
   int met = 0;
   for (std::size_t k = 0; k < c.targets.all.size(); ++k) {
-    const Target& t = c.targets.all[k];
+    const CalibrationTarget& t = c.targets.all[k];
     const double off = misfit_of(c, best, k);
     const bool within = t.relation == Relation::says ? off == 0 : off <= 1;
     met += within ? 1 : 0;
@@ -79,7 +79,7 @@ void add_targets(Report& report, const Calibration& c) {
 
 void add_curves(Report& report, const Calibration& c) {
   for (std::size_t k = 0; k < c.targets.all.size(); ++k) {
-    const Target& t = c.targets.all[k];
+    const CalibrationTarget& t = c.targets.all[k];
     const Json& ours = c.best.front().fresh.values[0][k];
     if (!t.curve || !ours.is_array()) continue;
     Json measured = Json::array(), best = Json::array();
@@ -129,7 +129,7 @@ void add_known(Report& report, const Calibration& c) {
 // Bold would be typed words: an effect that is less than twice its standard error is marked by brackets.
 void add_effects(Report& report, const Calibration& c) {
   std::vector<std::string> head{"key", "change"};
-  for (const Target& target : c.targets.all) head.push_back(target.name);
+  for (const CalibrationTarget& target : c.targets.all) head.push_back(target.name);
   head.emplace_back("misfit");
   std::vector<std::vector<Json>> rows;
   for (const Effect& effect : c.identified.effects) {

@@ -25,17 +25,17 @@ const std::string& hash_of_sources() {
 }
 
 // Of a watched run, as `furrow run` makes it: one that leaves the validity of its laws is no result.
-Json asked_of(const Scene& scene, const std::vector<const Target*>& asked) {
+Json asked_of(const Scene& scene, const std::vector<const CalibrationTarget*>& asked) {
   Prepared prepared = prepare(scene);
   const Timing time = prepared.scene.time;
   const RunRecord run = observed_run(std::move(prepared), time, Watch::on);
   if (!run.finished()) throw std::runtime_error(run.fact("reason")->texts.at(0));
   Json values = Json::object();
-  for (const Target* target : asked) values[target->asked()] = value_of(*target, run);
+  for (const CalibrationTarget* target : asked) values[target->asked()] = value_of(*target, run);
   return values;
 }
 
-void judge_reach(const Target& target, const Case& of) {
+void judge_reach(const CalibrationTarget& target, const Case& of) {
   if (of.scene.plate.empty()) throw std::invalid_argument(of.name + ": has no plate whose force could be compared");
   const double speed = std::hypot(of.scene.plate[0].velocity.x, of.scene.plate[0].velocity.y);
   const double reach = 1e3 * speed * of.scene.time.end;  // mm
@@ -61,7 +61,7 @@ double Point::spread() const {
 
 Evaluator::Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targets targets, Runs& runs)
     : cases_(std::move(cases)), keys_(std::move(keys)), targets_(std::move(targets)), runs_(runs) {
-  for (const Target& target : targets_.all) {
+  for (const CalibrationTarget& target : targets_.all) {
     for (const Case& of : cases_) {
       if (of.name == target.scene) judge_reach(target, of);
     }
@@ -83,9 +83,9 @@ int Evaluator::runs_a_point(int packings) const {
 
 Task Evaluator::task(const Case& of, const Setting& setting, int packing) const {
   const int seed = of.scene.packing.empty() ? 0 : packing;
-  std::vector<const Target*> asked;
+  std::vector<const CalibrationTarget*> asked;
   std::string wanted;
-  for (const Target& target : targets_.all) {
+  for (const CalibrationTarget& target : targets_.all) {
     if (target.scene != of.name) continue;
     asked.push_back(&target);
     wanted += target.asked() + "\n";
@@ -121,7 +121,7 @@ std::vector<Point> Evaluator::at(const std::vector<Setting>& settings, const Pac
 // What the scenes gave with one packing, in the order of the targets.
 void Evaluator::take(const std::vector<Json>& runs, Point& point) const {
   Json values = Json::array();
-  for (const Target& target : targets_.all) {
+  for (const CalibrationTarget& target : targets_.all) {
     for (std::size_t c = 0; c < cases_.size(); ++c) {
       if (cases_[c].name != target.scene) continue;
       if (runs[c].contains("failed")) point.failure = cases_[c].name + ": " + runs[c]["failed"].get<std::string>();

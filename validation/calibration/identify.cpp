@@ -42,7 +42,7 @@ Vector residuals_of(const Evaluator& evaluator, const Point& point) {
 // A curve counts once, by whatever number of points.
 Vector weights_of(const Evaluator& evaluator) {
   std::vector<double> all;
-  for (const Target& target : evaluator.targets().all) {
+  for (const CalibrationTarget& target : evaluator.targets().all) {
     const std::size_t points = target.curve ? target.curve->mm.size() : 1;
     all.insert(all.end(), points, target.weight / static_cast<double>(points));
   }

@@ -174,10 +174,11 @@ const std::map<std::string, Relation> relations{{"equals", Relation::equals},
                                                 {"above", Relation::above},
                                                 {"between", Relation::between},
                                                 {"says", Relation::says}};
-const std::map<std::string, Norm> norms{{"rms", Norm::rms}, {"mean", Norm::mean}, {"max", Norm::max}};
+const std::map<std::string, CurveNorm> norms{
+    {"rms", CurveNorm::rms}, {"mean", CurveNorm::mean}, {"max", CurveNorm::max}};
 const std::map<std::string, std::string> components{{"F", "F"}, {"Fx", "Fx"}, {"Fy", "Fy"}};
 
-void read_value(Target& target, Fields& fields) {
+void read_value(CalibrationTarget& target, Fields& fields) {
   target.relation = fields.choice("relation", relations, "equals");
   if (target.relation == Relation::says) {
     target.words = fields.text("value");
@@ -195,7 +196,7 @@ void read_value(Target& target, Fields& fields) {
   if (std::isnan(target.value[0])) fields.fault("value is missing");
 }
 
-void read_observable(Target& target, Fields& fields) {
+void read_observable(CalibrationTarget& target, Fields& fields) {
   target.observable = fields.text("observable");
   target.window = fields.pair("window");
   const std::vector<std::string>& known = observable_names();
@@ -207,10 +208,10 @@ void read_observable(Target& target, Fields& fields) {
   read_value(target, fields);
 }
 
-Target target_of(const Json& table, std::size_t number, const fs::path& file, const std::vector<std::string>& scenes,
-                 std::vector<std::string>& faults) {
+CalibrationTarget target_of(const Json& table, std::size_t number, const fs::path& file,
+                            const std::vector<std::string>& scenes, std::vector<std::string>& faults) {
   Fields fields(table, file.string() + ": target " + std::to_string(number), faults);
-  Target target;
+  CalibrationTarget target;
   target.scene = fields.text("scene", scenes.size() == 1 ? scenes[0] : "");
   if (std::find(scenes.begin(), scenes.end(), target.scene) == scenes.end())
     fields.fault("scene must be one of " + joined(scenes) + ", not " + in_quotes(target.scene));

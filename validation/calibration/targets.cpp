@@ -11,7 +11,7 @@ namespace furrow::validation {
 namespace {
 
 // Of one number, in tolerances; a limit that is kept misses by nothing.
-double residual(const Target& t, double value) {
+double residual(const CalibrationTarget& t, double value) {
   const double off = value - t.value[0];
   if (t.relation == Relation::below) return std::max(0.0, off) / t.tolerance;
   if (t.relation == Relation::above) return std::min(0.0, off) / t.tolerance;
@@ -39,20 +39,20 @@ Json curve_of(const MeasuredCurve& curve, const ForceCurve& ours) {
   return values;
 }
 
-double norm_of(Norm norm, const std::vector<double>& off) {
+double norm_of(CurveNorm norm, const std::vector<double>& off) {
   double sum = 0, greatest = 0;
   for (const double r : off) {
-    sum += norm == Norm::rms ? r * r : std::fabs(r);
+    sum += norm == CurveNorm::rms ? r * r : std::fabs(r);
     greatest = std::max(greatest, std::fabs(r));
   }
-  if (norm == Norm::max) return greatest;
+  if (norm == CurveNorm::max) return greatest;
   const double mean = sum / static_cast<double>(off.size());
-  return norm == Norm::rms ? std::sqrt(mean) : mean;
+  return norm == CurveNorm::rms ? std::sqrt(mean) : mean;
 }
 
 }  // namespace
 
-std::string Target::asked() const {
+std::string CalibrationTarget::asked() const {
   std::vector<std::string> parts{observable};
   if (window) parts.push_back(shortest((*window)[0]) + " to " + shortest((*window)[1]));
   if (curve) {
@@ -62,14 +62,14 @@ std::string Target::asked() const {
   return joined(parts, " ");
 }
 
-Json value_of(const Target& target, const RunRecord& run) {
+Json value_of(const CalibrationTarget& target, const RunRecord& run) {
   if (target.curve) return curve_of(*target.curve, run.force);
   const Measured measured = measure(run, target.observable, target.window);
   if (std::isfinite(measured.value)) return measured.value;
   return measured.words.empty() ? Json() : Json(measured.words);
 }
 
-std::vector<double> residuals(const Target& target, const Json& value, double missing) {
+std::vector<double> residuals(const CalibrationTarget& target, const Json& value, double missing) {
   if (target.relation == Relation::says && !target.curve) return {value == target.words ? 0.0 : 1.0};
   const std::size_t count = target.curve ? target.curve->mm.size() : 1;
   if (target.curve ? !value.is_array() : !value.is_number()) return std::vector<double>(count, missing);
@@ -80,8 +80,8 @@ std::vector<double> residuals(const Target& target, const Json& value, double mi
   return off;
 }
 
-double misfit(const Target& target, const Json& value, double missing) {
-  return norm_of(target.curve ? target.curve->norm : Norm::rms, residuals(target, value, missing));
+double misfit(const CalibrationTarget& target, const Json& value, double missing) {
+  return norm_of(target.curve ? target.curve->norm : CurveNorm::rms, residuals(target, value, missing));
 }
 
 double misfit(const Targets& targets, const Json& values) {

@@ -15,15 +15,19 @@ namespace furrow::validation {
 using Json = nlohmann::ordered_json;
 
 enum class Relation { equals, below, above, between, says };
-enum class Norm { rms, mean, max };  // of the differences of two curves: root mean square, mean magnitude, greatest
+enum class CurveNorm {
+  rms,
+  mean,
+  max
+};  // of the differences of two curves: root mean square, mean magnitude, greatest
 
 struct MeasuredCurve {
   std::string file, component = "F";  // "F", "Fx" or "Fy"
-  Norm norm = Norm::rms;
+  CurveNorm norm = CurveNorm::rms;
   std::vector<double> mm, force;  // displacement of the plate, N
 };
 
-struct Target {
+struct CalibrationTarget {
   std::string name, scene, observable;
   std::optional<std::array<double, 2>> window;  // mm
   Relation relation = Relation::equals;
@@ -38,7 +42,7 @@ struct Target {
 
 struct Targets {
   std::string title;
-  std::vector<Target> all;
+  std::vector<CalibrationTarget> all;
   double missing = 10;  // tolerances: the misfit of a number that a run does not say
   bool bounded =
       false;  // the misfit r of a target counts r^2 / (1 + r^2), so that one that cannot be met rules no other
@@ -50,13 +54,13 @@ Targets read_targets(const std::filesystem::path& file, const std::vector<std::s
 
 // What a run says of a target: a number, words, of a curve the forces at the measured displacements; null if it does
 // not say. Throws std::invalid_argument if there is no such observable.
-Json value_of(const Target& target, const RunRecord& run);
+Json value_of(const CalibrationTarget& target, const RunRecord& run);
 
 // By how many tolerances a value misses, one number for each that is compared: one, or as many as a curve has points.
-std::vector<double> residuals(const Target& target, const Json& value, double missing);
+std::vector<double> residuals(const CalibrationTarget& target, const Json& value, double missing);
 
 // The misfit of a target, its norm taken, and of all: the root of the weighted mean of their squares.
-double misfit(const Target& target, const Json& value, double missing);
+double misfit(const CalibrationTarget& target, const Json& value, double missing);
 double misfit(const Targets& targets, const Json& values);
 
 // One number that stands for the value in tables: of a curve its mean force; NaN if there is none.

@@ -95,7 +95,7 @@ class Search {
                           : std::vector<std::string>{"scenario_1", "scenario_2", "scenario_3"};
   }
 
-  Found all() {
+  ReadingsFound all() {
     const std::size_t choices = the_readings().choices.size();
     try_all({Interpretation(choices, 0)});
     try_all(changed(Interpretation(choices, 0)));
@@ -236,7 +236,7 @@ class Search {
 
   Once once_;
   bool quick_;
-  Found found_{};
+  ReadingsFound found_{};
   std::set<Interpretation> tried_{};
 };
 
@@ -262,12 +262,12 @@ std::string words_of(const Interpretation& reading) {
   return joined(words);
 }
 
-const ReadPoint& Found::best(const std::vector<std::string>& of) const {
+const ReadPoint& ReadingsFound::best(const std::vector<std::string>& of) const {
   return *std::min_element(points.begin(), points.end(),
                            [&](const ReadPoint& a, const ReadPoint& b) { return a.misfit(of) < b.misfit(of); });
 }
 
-Found search_readings(const RunTasks& run, bool quick) { return Search(run, quick).all(); }
+ReadingsFound search_readings(const RunTasks& run, bool quick) { return Search(run, quick).all(); }
 
 void measure_readings(Measurement& measurement) {
   search_readings([&](const std::vector<Task>& tasks) { return measurement.run(tasks); }, measurement.quick());

@@ -57,7 +57,7 @@ struct Untorn {
 };
 std::vector<Untorn> untorn_runs();
 
-struct Found {
+struct ReadingsFound {
   std::vector<std::string> scenes;
   std::vector<ReadPoint> points;  // in the order in which they were tried: literal, alone, at random, exchanged
   std::size_t alone = 0, random = 0;
@@ -68,7 +68,7 @@ struct Found {
 
 // The search. `run` makes tasks, or knows what they gave. The quick form looks at scene 1 alone.
 using RunTasks = std::function<std::vector<Json>(const std::vector<Task>&)>;
-Found search_readings(const RunTasks& run, bool quick);
+ReadingsFound search_readings(const RunTasks& run, bool quick);
 
 void measure_readings(Measurement& measurement);
 

@@ -56,7 +56,7 @@ double slope(const Errors& errors) {
   return n < 2 ? NAN : (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-Finding said(Finding f, Verdict verdict, const std::string& words) {
+Finding said(Finding f, CaseVerdict verdict, const std::string& words) {
   f.verdict = verdict;
   f.words = words;
   return f;
@@ -70,9 +70,9 @@ Finding judge_time(Finding f, const Json& seen, const std::vector<double>& h) {
     worst = std::max(worst, (std::fabs(late) - seen.value("slack", 0.0)) / h[k]);
   }
   f.error = worst;
-  if (worst <= 1 + 1e-6) return said(f, Verdict::right, "within the step");
-  if (worst <= 3) return said(f, Verdict::lower_order, "off by " + few(worst) + " steps");
-  return said(f, Verdict::another_law, "off by " + few(worst) + " steps");
+  if (worst <= 1 + 1e-6) return said(f, CaseVerdict::right, "within the step");
+  if (worst <= 3) return said(f, CaseVerdict::lower_order, "off by " + few(worst) + " steps");
+  return said(f, CaseVerdict::another_law, "off by " + few(worst) + " steps");
 }
 
 double scale_of(const Json& seen, double expected) {
@@ -84,17 +84,17 @@ Finding judge_interval(Finding f, const Json& seen) {
   const double low = seen["interval"][0], high = seen["interval"][1], got = f.values.back();
   f.expected = (low + high) / 2;
   f.error = std::fabs(got - f.expected) / ((high - low) / 2);
-  if (got >= low && got <= high) return said(f, Verdict::right, "inside [" + few(low) + ", " + few(high) + "]");
+  if (got >= low && got <= high) return said(f, CaseVerdict::right, "inside [" + few(low) + ", " + few(high) + "]");
   f.limit = got;
-  return said(f, Verdict::another_law, few(got) + " is outside [" + few(low) + ", " + few(high) + "]");
+  return said(f, CaseVerdict::another_law, few(got) + " is outside [" + few(low) + ", " + few(high) + "]");
 }
 
 Finding judge_exact(Finding f, const Json& seen) {
   const double scale = scale_of(seen, f.expected);
   for (const double value : f.values) f.error = std::max(f.error, std::fabs(value - f.expected) / scale);
-  if (f.error <= seen["floor"].get<double>()) return said(f, Verdict::right, "the same at every resolution");
+  if (f.error <= seen["floor"].get<double>()) return said(f, CaseVerdict::right, "the same at every resolution");
   f.limit = f.values.back();
-  return said(f, Verdict::another_law, few(f.values.back()) + " in place of " + few(f.expected));
+  return said(f, CaseVerdict::another_law, few(f.values.back()) + " in place of " + few(f.expected));
 }
 
 // How far the values may still be from where they go if each change is one of order 1 or higher: an error C h changes
@@ -114,20 +114,20 @@ Finding judge_converging(Finding f, const Json& seen, const std::vector<int>& st
   f.error = by_step.error.back();
   f.order = slope(by_step);
   f.limit = f.values.back();
-  if (f.error <= floor) return said(f, Verdict::right, "error " + few(f.error));
+  if (f.error <= floor) return said(f, CaseVerdict::right, "error " + few(f.error));
   const double predicted = std::min(claimed, seen["limit"].get<double>());
   const std::string orders =
       "error " + few(f.error) + ", order " + few(f.order) + " (" + few(predicted) + " predicted)";
   const bool arrives = f.error * scale <= left_to_go(steps, f.values) + floor * scale;
-  if (arrives && f.order >= predicted - slack) return said(f, Verdict::right, orders);
-  if (arrives && f.order >= least_order) return said(f, Verdict::lower_order, orders);
+  if (arrives && f.order >= predicted - slack) return said(f, CaseVerdict::right, orders);
+  if (arrives && f.order >= least_order) return said(f, CaseVerdict::lower_order, orders);
   const std::size_t n = f.values.size();
   const double last = std::fabs(f.values[n - 1] - f.values[n - 2]), first = std::fabs(f.values[1] - f.values[0]);
   const bool settles = last < 0.7 * first || last <= floor * scale || last < 0.1 * f.error * scale;
   if (settles)
-    return said(f, Verdict::another_law,
+    return said(f, CaseVerdict::another_law,
                 "goes to " + shortest(f.limit) + " in place of " + shortest(f.expected) + ", off by " + few(f.error));
-  return said(f, Verdict::failed, "does not converge: " + orders);
+  return said(f, CaseVerdict::failed, "does not converge: " + orders);
 }
 
 Json with_defaults(Json seen, const Json& whole) {
@@ -146,10 +146,10 @@ double value_of(const Json& answer, const std::string& name) {
 }
 
 void conclude(Judgement& j) {
-  j.verdict = Verdict::right;
+  j.verdict = CaseVerdict::right;
   for (const Finding& f : j.findings) {
     if (f.verdict < j.verdict) continue;
-    if (f.verdict == j.verdict && !j.words.empty() && j.verdict != Verdict::right) continue;
+    if (f.verdict == j.verdict && !j.words.empty() && j.verdict != CaseVerdict::right) continue;
     j.verdict = f.verdict;
     j.words = f.name + ": " + f.words;
   }
@@ -205,7 +205,7 @@ void judge_answers(Judgement& j, const Json& whole, const Asked& asked, const st
 
 }  // namespace
 
-std::string to_string(Verdict verdict) {
+std::string to_string(CaseVerdict verdict) {
   constexpr const char* words[] = {"right", "cannot", "lower order", "another law", "failed"};
   return words[static_cast<int>(verdict)];
 }
@@ -230,7 +230,7 @@ Judgement judge_case(const Json& whole, const Engine& engine) {
       judge_answers(j, whole, asked, own);
       conclude(j);
     } else {
-      j.verdict = Verdict::cannot;
+      j.verdict = CaseVerdict::cannot;
       j.words = asked.cannot;
     }
   } catch (const Json::exception& fault) {

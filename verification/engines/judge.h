@@ -10,12 +10,12 @@
 namespace furrow::verification {
 
 // From good to bad.
-enum class Verdict { right, cannot, lower_order, another_law, failed };
-std::string to_string(Verdict verdict);  // "right", "cannot", "lower order", "another law", "failed"
+enum class CaseVerdict { right, cannot, lower_order, another_law, failed };
+std::string to_string(CaseVerdict verdict);  // "right", "cannot", "lower order", "another law", "failed"
 
 struct Finding {  // of one observable
   std::string name, unit;
-  Verdict verdict = Verdict::failed;
+  CaseVerdict verdict = CaseVerdict::failed;
   std::vector<double> values;  // at each resolution
   double expected = 0;         // of kind interval: its middle
   double error = 0;            // of the last value, over the scale; of kind step: in steps
@@ -27,7 +27,7 @@ struct Finding {  // of one observable
 struct Judgement {
   std::string name, title, engine, method;
   double claimed = 0;  // order
-  Verdict verdict = Verdict::failed;
+  CaseVerdict verdict = CaseVerdict::failed;
   std::string words;
   std::vector<int> steps;
   std::vector<Finding> findings;

@@ -62,8 +62,8 @@ struct JudgeOptions {
 int exit_code_of(const std::vector<Judgement>& all) {
   bool judged = false, well = true;
   for (const Judgement& j : all) {
-    judged = judged || j.verdict != Verdict::cannot;
-    well = well && j.verdict <= Verdict::cannot;
+    judged = judged || j.verdict != CaseVerdict::cannot;
+    well = well && j.verdict <= CaseVerdict::cannot;
   }
   if (!judged) std::fprintf(stderr, "furrow: the engine took none of the cases, so nothing is known of it\n");
   return judged && well ? good : check_failed;

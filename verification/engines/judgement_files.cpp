@@ -26,7 +26,7 @@ Json finding_as_json(const Finding& f) {
   Json one{{"name", f.name},         {"unit", f.unit},     {"verdict", to_string(f.verdict)},
            {"expected", f.expected}, {"values", f.values}, {"error", f.error}};
   if (std::isfinite(f.order) && f.order != 0) one["order"] = f.order;
-  if (f.verdict == Verdict::another_law) one["limit"] = f.limit;
+  if (f.verdict == CaseVerdict::another_law) one["limit"] = f.limit;
   one["words"] = f.words;
   return one;
 }
@@ -41,8 +41,8 @@ std::string table_row(const Judgement& j) {
 
 std::string count_line(const std::vector<Judgement>& all) {
   std::string line;
-  for (const Verdict v :
-       {Verdict::right, Verdict::lower_order, Verdict::another_law, Verdict::failed, Verdict::cannot}) {
+  for (const CaseVerdict v : {CaseVerdict::right, CaseVerdict::lower_order, CaseVerdict::another_law,
+                              CaseVerdict::failed, CaseVerdict::cannot}) {
     const auto count = std::count_if(all.begin(), all.end(), [v](const Judgement& j) { return j.verdict == v; });
     line += (line.empty() ? "" : ", ") + std::to_string(count) + " " + to_string(v);
   }
@@ -69,17 +69,17 @@ Json judgements_as_json(const std::vector<Judgement>& all) {
 
 std::string judgements_as_junit(const std::vector<Judgement>& all) {
   const auto bad =
-      std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict > Verdict::cannot; });
+      std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict > CaseVerdict::cannot; });
   const auto skipped =
-      std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict == Verdict::cannot; });
+      std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict == CaseVerdict::cannot; });
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"furrow judge\" tests=\"" +
                      std::to_string(all.size()) + "\" failures=\"" + std::to_string(bad) + "\" skipped=\"" +
                      std::to_string(skipped) + "\">\n";
   for (const Judgement& j : all) {
     text += "  <testcase classname=\"" + escaped(j.engine) + "\" name=\"" + escaped(j.name) + "\">";
     const std::string message = " message=\"" + escaped(to_string(j.verdict) + ": " + j.words) + "\"/>";
-    if (j.verdict == Verdict::cannot) text += "<skipped" + message;
-    if (j.verdict > Verdict::cannot) text += "<failure" + message;
+    if (j.verdict == CaseVerdict::cannot) text += "<skipped" + message;
+    if (j.verdict > CaseVerdict::cannot) text += "<failure" + message;
     text += "</testcase>\n";
   }
   return text + "</testsuite>\n";

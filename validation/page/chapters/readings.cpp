@@ -16,7 +16,7 @@ std::string name_of(const Interpretation& reading) {
   return words.empty() ? "literal" : words;
 }
 
-void add_search(Report& report, const Found& found) {
+void add_search(Report& report, const ReadingsFound& found) {
   const std::size_t exchanged = found.points.size() - 1 - found.alone - found.random;
   report.text(
       std::to_string(found.points.size()) +
@@ -42,7 +42,7 @@ void add_search(Report& report, const Found& found) {
   report.text("Open, and not searched:" + left);
 }
 
-void add_finalists(Report& report, const Found& found) {
+void add_finalists(Report& report, const ReadingsFound& found) {
   std::vector<std::vector<Json>> rows;
   for (const Finalist& finalist : found.finalists) {
     const Judgement judged = judge(finalist, found.scenes);
@@ -61,7 +61,7 @@ void add_finalists(Report& report, const Found& found) {
 }
 
 // Chosen by two scenes, asked for the third.
-void add_held_out(Report& report, const Found& found) {
+void add_held_out(Report& report, const ReadingsFound& found) {
   if (found.scenes.size() < 3) return;
   std::vector<std::vector<Json>> rows;
   for (const std::string& out : found.scenes) {
@@ -81,7 +81,7 @@ void add_held_out(Report& report, const Found& found) {
       rows);
 }
 
-void add_sentences(Report& report, const Found& found) {
+void add_sentences(Report& report, const ReadingsFound& found) {
   const Judgement literal = judge(found.finalists.front(), found.scenes);
   const Judgement best = judge(best_finalist(found), found.scenes);
   std::vector<std::vector<Json>> rows;
@@ -105,7 +105,7 @@ void add_sentences(Report& report, const Found& found) {
 }
 
 // For each row that the winner does not reproduce: the closest that any reading comes, and what that one loses.
-void add_trade_offs(Report& report, const Found& found) {
+void add_trade_offs(Report& report, const ReadingsFound& found) {
   const Judgement best = judge(best_finalist(found), found.scenes);
   const double least = found.best(found.scenes).misfit(found.scenes);
   std::vector<std::vector<Json>> rows;
@@ -126,7 +126,7 @@ void add_trade_offs(Report& report, const Found& found) {
       {"row", "the paper", "closest", "by", "its misfit", "above the least"}, rows);
 }
 
-void add_untorn(Report& report, const Found& found) {
+void add_untorn(Report& report, const ReadingsFound& found) {
   std::vector<std::vector<Json>> rows;
   int unstable = 0, untorn = 0;
   for (std::size_t k = 0; k < found.untorn.size(); ++k) {
@@ -151,7 +151,7 @@ void add_untorn(Report& report, const Found& found) {
 
 Report readings_of_the_paper(const Shelf& shelf) {
   const Numbers& numbers = shelf.of("readings");
-  const Found found = search_readings(
+  const ReadingsFound found = search_readings(
       [&](const std::vector<Task>& tasks) {
         std::vector<Json> values;
         for (const Task& task : tasks) values.push_back(numbers.at(task.key));

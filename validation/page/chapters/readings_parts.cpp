@@ -45,7 +45,7 @@ Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes
   return judged;
 }
 
-const Finalist& best_finalist(const Found& found) {
+const Finalist& best_finalist(const ReadingsFound& found) {
   const auto worse_step = [&](const Finalist& f) {
     return std::max(mean_misfit(f.said, found.scenes), mean_misfit(f.finer, found.scenes));
   };

@@ -19,7 +19,7 @@ struct Judgement {
 Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes);
 
 // The least of the larger of its misfits at the two steps.
-const Finalist& best_finalist(const Found& found);
+const Finalist& best_finalist(const ReadingsFound& found);
 
 const std::vector<std::string>& counted_verdicts();
 int count_of(const std::vector<std::string>& verdicts, const std::string& verdict);
