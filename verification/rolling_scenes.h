@@ -41,4 +41,9 @@ inline double falling(double omega, double w0) {
   return std::sqrt(omega * omega + w0 * w0) - w0 * std::asinh(w0 / std::fabs(omega));
 }
 
+inline Scene with_spring(Scene scene) {
+  scene.model.rolling = Rolling::spring;
+  return scene;
+}
+
 }  // namespace furrow::verification::rolling_resistance

@@ -16,11 +16,6 @@
 namespace furrow::verification::rolling_resistance {
 namespace {
 
-Scene with_spring(Scene scene) {
-  scene.model.rolling = Rolling::spring;
-  return scene;
-}
-
 TEST(RollingSpring, SwingsAsADampedOscillator) {
   requirement("tangential.rolling_spring");
   for (const RoundBody& body : {disc, sphere}) {

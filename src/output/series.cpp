@@ -77,10 +77,15 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
 
 SeriesMemory Series::memory() {
   flush();
-  return {force_.bytes(),  wall_force_.bytes(), drive_ ? drive_->bytes() : 0,
-          energy_.bytes(), motion_.bytes(),
-          events_.bytes(), frames_.memory(),
-          rows_,           start_};
+  return {force_.bytes(),
+          wall_force_.bytes(),
+          drive_ ? drive_->bytes() : 0,
+          energy_.bytes(),
+          motion_.bytes(),
+          events_.bytes(),
+          frames_.memory(),
+          rows_,
+          start_};
 }
 
 void Series::see(const System& system, double t, const State& y, const JumpReport& report) {

@@ -22,7 +22,8 @@ struct LinkForce {
 };
 
 // r (m) and v (m/s) of node i against node j; rest length m, stiffness N/m, damping N s/m.
-[[gnu::always_inline]] inline LinkForce link_force(Vec2 r, Vec2 v, double rest, double stiffness, double damping, bool axial) {
+[[gnu::always_inline]] inline LinkForce link_force(Vec2 r, Vec2 v, double rest, double stiffness, double damping,
+                                                   bool axial) {
   LinkForce f{};
   const double length = std::sqrt(dot(r, r));
   const Vec2 e{r.x / length, r.y / length};

@@ -1,4 +1,6 @@
 // Every number that `explain` derives from a scene, against its closed form.
+#include "explain.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,90 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "program.h"
-
 namespace {
 
-class Explain : public furrow::test::Program {
- protected:
-  // What `explain` says of the scene; its exit code is kept.
-  std::string explain(const std::string& scene, const std::string& options = "") {
-    put("s.toml", scene);
-    code_ = furrow("explain s.toml " + options).code;
-    errors_ = err();
-    return out();
-  }
-
-  // All numbers after the first line that begins with `part` and holds `word`.
-  static std::vector<double> numbers(const std::string& text, const std::string& part, const std::string& word) {
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
-      const std::size_t at = line.find(word);
-      if (at == std::string::npos || line.find_first_not_of(' ') != line.find(part)) continue;
-      static const std::regex number(R"(-?\d+\.?\d*(e[+-]?\d+)?)");
-      const std::string rest = line.substr(line.find(part) + part.size());
-      std::vector<double> found;
-      for (std::sregex_iterator one(rest.begin(), rest.end(), number), end; one != end; ++one)
-        found.push_back(std::stod(one->str()));
-      return found;
-    }
-    ADD_FAILURE() << "no line '" << part << " ... " << word << "' in\n" << text;
-    return {};
-  }
-
-  // As printed: with so many digits.
-  static void expect(double got, double want, int digits) {
-    EXPECT_NEAR(got, want, 0.6 * std::pow(10, 1 - digits) * std::fabs(want));
-  }
-
-  std::string errors_;
-  int code_ = -1;
-};
-
-// Discs of sand and steel on a floor, one pressed 1 mm into it, one flying at 3 m/s.
-const std::string discs = R"(
-title = "Explained"
-[model]
-gravity = 2.5
-disc_depth = 0.5
-[time]
-step = 1e-5
-end = 1e-3
-[contact]
-damping_factor = 0.3
-friction = 0.4
-rolling_friction = 0.02
-[[contact.pair]]
-materials = ["sand", "steel"]
-damping_factor = 1.5
-friction = 0.25
-[[material]]
-name = "sand"
-density = 2000.0
-young = 1e6
-poisson = 0.25
-[[material]]
-name = "steel"
-density = 8000.0
-young = 4e6
-shear = 1.6e6
-[[material]]
-name = "rock"
-rigid = true
-[[disc]]
-position = [0.0, 0.049]
-radius = 0.05
-material = "sand"
-[[disc]]
-position = [1.0, 0.5]
-radius = 0.02
-velocity = [3.0, 0.0]
-material = "steel"
-[[wall]]
-point = [0.0, 0.0]
-normal = [0.0, 1.0]
-material = "rock"
-)";
+using furrow::test::discs;
+using furrow::test::Explain;
+using furrow::test::spring;
 
 TEST_F(Explain, ContactsByPairHaveTheirModuliFrictionAndDampingRatio) {
   const std::string text = explain(discs);
@@ -203,31 +126,6 @@ TEST_F(Explain, WhereItStandsAndItsStiffestPart) {
   EXPECT_GE(oscillator.at(1), 0.999 * viscous / (2 * std::sqrt(tangential)));
 }
 
-// One spring of omega = sqrt(k/m), no damping: verlet and symplectic Euler hold to 2/omega, rk4 to 2.828/omega.
-const std::string spring = R"(
-title = "Spring"
-[time]
-step = 1e-2
-end = 1.0
-method = "verlet"
-[output]
-interval = 0.5
-[[material]]
-name = "soft"
-young = 1e6
-poisson = 0.25
-[[lattice]]
-name = "spring"
-origin = [0.0, 0.0]
-rows = 1
-columns = 2
-spacing = 1.0
-node_mass = 2.0
-material = "soft"
-fixed_columns = [0]
-structural = { stiffness = 800.0, damping = 0.0 }
-)";
-
 TEST_F(Explain, StableStepsAreThoseOfTheOscillator) {
   const std::string text = explain(spring);
   ASSERT_EQ(code_, 0) << errors_;
@@ -252,74 +150,6 @@ TEST_F(Explain, TheScenesStepIsWellInsideUpToHalfOfItsLimit) {
   const std::string beyond = explain(spring, "--dt 0.101");
   EXPECT_NE(beyond.find("is beyond the stability limit of verlet"), std::string::npos) << beyond;
   EXPECT_EQ(code_, 0);
-}
-
-// By hand: 16.5 k s, 10.25 k s^3, 2 k s of three columns of springs all alike; the rod by d = 4 sqrt(EI/EA).
-TEST_F(Explain, SaysWhichBeamALatticeIs) {
-  const std::string lattice = R"(
-title = "Stem"
-time = { end = 0.1, step = 1e-4 }
-material = [{ name = "soft", young = 1e6, poisson = 0.25 }]
-[[lattice]]
-name = "stem"
-origin = [0.0, 0.0]
-rows = 10
-columns = 3
-spacing = 0.01
-node_mass = 5.0
-material = "soft"
-fixed_rows = [0, 1]
-structural = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
-shear = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
-bending = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
-)";
-  const std::string text = explain(lattice);
-  ASSERT_EQ(code_, 0) << errors_;
-  EXPECT_NE(text.find("EA = 1650 N, EI = 0.1025 N m^2, GA = 200 N, nu = 0.25"), std::string::npos) << text;
-  EXPECT_NE(text.find("diameter 0.03153 m, young 2.114e+06 Pa"), std::string::npos) << text;
-  EXPECT_NE(text.find("tears in tension at 330 N, in bending at 2.05 N m"), std::string::npos) << text;
-}
-
-TEST_F(Explain, CountsWhatIsModelled) {
-  const std::string text = explain(discs);
-  // 2 discs: x, y, vx, vy, spin; room for springs and one dummy slot; 7 of the ledger.
-  const int springs = static_cast<int>(numbers(text, "tangential springs", "room for").at(0));
-  EXPECT_EQ(numbers(text, "modelled (", "numbers of state").at(0), 2 * 5 + springs + 1 + 7);
-  EXPECT_EQ(numbers(text, "discs", "numbers each").at(0), 2);
-  EXPECT_EQ(numbers(text, "discs", "numbers each").at(1), 5);
-  EXPECT_NE(text.find("1 wall, 0 plates"), std::string::npos);
-  const std::string lattice = explain(spring);
-  EXPECT_EQ(numbers(lattice, "modelled (", "numbers of state").at(0), 4 + 7);
-  EXPECT_EQ(numbers(lattice, "lattice nodes", "free").at(0), 1);
-  EXPECT_NE(lattice.find("1 free, 4 numbers each; 1 fixed, none"), std::string::npos);
-  EXPECT_NE(lattice.find("1: 1 structural, 0 shear, 0 bending"), std::string::npos);
-  EXPECT_NE(lattice.find("its structural links never tear"), std::string::npos);
-  EXPECT_NE(lattice.find("has no shear links"), std::string::npos);
-  EXPECT_NE(lattice.find("has no bending links"), std::string::npos);
-}
-
-TEST_F(Explain, SaysWhatIsLeftOutOnlyWhereItIs) {
-  const std::string with = explain(discs);
-  for (const char* not_left_out : {"every friction coefficient is zero", "rolling friction coefficient is zero",
-                                   "no discs", "model.gravity = 0", "do not touch each other"})
-    EXPECT_EQ(with.find(not_left_out), std::string::npos) << not_left_out;
-  std::string without = discs;
-  without.replace(without.find("gravity = 2.5"), 13, "gravity = 0.0");
-  without.replace(without.find("rolling_friction = 0.02"), 23, "");
-  const std::string text = explain(without);
-  EXPECT_NE(text.find("model.gravity = 0"), std::string::npos) << text;
-  EXPECT_NE(text.find("every rolling friction coefficient is zero"), std::string::npos) << text;
-  EXPECT_EQ(text.find("no spins, no tangential springs"), std::string::npos) << text;
-  EXPECT_NE(explain(spring).find("no discs"), std::string::npos);
-}
-
-// A bed whose own step is so long that it blows up while it settles.
-TEST_F(Explain, DivergesWithExitThreeWhereItsBedDoes) {
-  std::string scene = discs + "[settle]\nspeed = 1e-3\nstep = 0.05\n";
-  const std::string text = explain(scene);
-  EXPECT_EQ(code_, 3) << text;
-  EXPECT_NE(errors_.find("furrow: error: while settling"), std::string::npos) << errors_;
-  EXPECT_NE(text.find("E* ="), std::string::npos) << "what it knew before is said";
 }
 
 }  // namespace

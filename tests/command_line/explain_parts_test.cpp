@@ -1,0 +1,86 @@
+// What `explain` says of lattices, of what is modelled and left out, and of a bed that diverges.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "explain.h"
+
+namespace {
+
+using furrow::test::discs;
+using furrow::test::Explain;
+using furrow::test::spring;
+
+// By hand: 16.5 k s, 10.25 k s^3, 2 k s of three columns of springs all alike; the rod by d = 4 sqrt(EI/EA).
+TEST_F(Explain, SaysWhichBeamALatticeIs) {
+  const std::string lattice = R"(
+title = "Stem"
+time = { end = 0.1, step = 1e-4 }
+material = [{ name = "soft", young = 1e6, poisson = 0.25 }]
+[[lattice]]
+name = "stem"
+origin = [0.0, 0.0]
+rows = 10
+columns = 3
+spacing = 0.01
+node_mass = 5.0
+material = "soft"
+fixed_rows = [0, 1]
+structural = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
+shear = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
+bending = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
+)";
+  const std::string text = explain(lattice);
+  ASSERT_EQ(code_, 0) << errors_;
+  EXPECT_NE(text.find("EA = 1650 N, EI = 0.1025 N m^2, GA = 200 N, nu = 0.25"), std::string::npos) << text;
+  EXPECT_NE(text.find("diameter 0.03153 m, young 2.114e+06 Pa"), std::string::npos) << text;
+  EXPECT_NE(text.find("tears in tension at 330 N, in bending at 2.05 N m"), std::string::npos) << text;
+}
+
+TEST_F(Explain, CountsWhatIsModelled) {
+  const std::string text = explain(discs);
+  // 2 discs: x, y, vx, vy, spin; room for springs and one dummy slot; 7 of the ledger.
+  const int springs = static_cast<int>(numbers(text, "tangential springs", "room for").at(0));
+  EXPECT_EQ(numbers(text, "modelled (", "numbers of state").at(0), 2 * 5 + springs + 1 + 7);
+  EXPECT_EQ(numbers(text, "discs", "numbers each").at(0), 2);
+  EXPECT_EQ(numbers(text, "discs", "numbers each").at(1), 5);
+  EXPECT_NE(text.find("1 wall, 0 plates"), std::string::npos);
+  const std::string lattice = explain(spring);
+  EXPECT_EQ(numbers(lattice, "modelled (", "numbers of state").at(0), 4 + 7);
+  EXPECT_EQ(numbers(lattice, "lattice nodes", "free").at(0), 1);
+  EXPECT_NE(lattice.find("1 free, 4 numbers each; 1 fixed, none"), std::string::npos);
+  EXPECT_NE(lattice.find("1: 1 structural, 0 shear, 0 bending"), std::string::npos);
+  EXPECT_NE(lattice.find("its structural links never tear"), std::string::npos);
+  EXPECT_NE(lattice.find("has no shear links"), std::string::npos);
+  EXPECT_NE(lattice.find("has no bending links"), std::string::npos);
+}
+
+TEST_F(Explain, SaysWhatIsLeftOutOnlyWhereItIs) {
+  const std::string with = explain(discs);
+  for (const char* not_left_out : {"every friction coefficient is zero", "rolling friction coefficient is zero",
+                                   "no discs", "model.gravity = 0", "do not touch each other"})
+    EXPECT_EQ(with.find(not_left_out), std::string::npos) << not_left_out;
+  std::string without = discs;
+  without.replace(without.find("gravity = 2.5"), 13, "gravity = 0.0");
+  without.replace(without.find("rolling_friction = 0.02"), 23, "");
+  const std::string text = explain(without);
+  EXPECT_NE(text.find("model.gravity = 0"), std::string::npos) << text;
+  EXPECT_NE(text.find("every rolling friction coefficient is zero"), std::string::npos) << text;
+  EXPECT_EQ(text.find("no spins, no tangential springs"), std::string::npos) << text;
+  EXPECT_NE(explain(spring).find("no discs"), std::string::npos);
+}
+
+// A bed whose own step is so long that it blows up while it settles.
+TEST_F(Explain, DivergesWithExitThreeWhereItsBedDoes) {
+  std::string scene = discs + "[settle]\nspeed = 1e-3\nstep = 0.05\n";
+  const std::string text = explain(scene);
+  EXPECT_EQ(code_, 3) << text;
+  EXPECT_NE(errors_.find("furrow: error: while settling"), std::string::npos) << errors_;
+  EXPECT_NE(text.find("E* ="), std::string::npos) << "what it knew before is said";
+}
+
+}  // namespace
