@@ -66,9 +66,9 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
                                 kept ? &kept->events_bytes : nullptr)),
       frames_(directory, kept ? &kept->frames : nullptr) {
   if (drives_nodes(scene))
-    drive_.reset(new OutputFile(OutputFile::begun(directory / "drive_force.csv",
-                                                  "t [s],lattice,drive,displacement [m],Fx [N],Fy [N],F [N]",
-                                                  kept ? &kept->drive_bytes : nullptr)));  // it cannot be moved
+    drive_.reset(new OutputFile(OutputFile::begun(  // NOLINT(modernize-make-unique): it cannot be moved
+        directory / "drive_force.csv", "t [s],lattice,drive,displacement [m],Fx [N],Fy [N],F [N]",
+        kept ? &kept->drive_bytes : nullptr)));
   if (!kept) return;
   rows_ = kept->rows;
   start_ = kept->start;
