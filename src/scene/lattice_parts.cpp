@@ -14,7 +14,8 @@ namespace {
 bool has(const std::vector<int>& list, int value) { return std::find(list.begin(), list.end(), value) != list.end(); }
 
 Vec2 place_of(const Lattice& l, int node) {
-  return {l.spacing * (node % l.columns), l.spacing * (node / l.columns)};  // m, from the first node
+  const int row = node / l.columns, column = node % l.columns;
+  return {l.spacing * column, l.spacing * row};  // m, from the first node
 }
 
 struct Step {

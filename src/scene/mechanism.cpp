@@ -31,8 +31,9 @@ class StiffnessMatrix {
   int as_a_whole() const {
     Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(2 * std::ssize(held_), 3);
     for (int n = 0; n < std::ssize(held_); ++n) {
-      if (held_[n].x) moved.row(2 * n) << 1, 0, -(n / lattice_.columns);
-      if (held_[n].y) moved.row(2 * n + 1) << 0, 1, n % lattice_.columns;
+      const int row = n / lattice_.columns, column = n % lattice_.columns;
+      if (held_[n].x) moved.row(2 * n) << 1, 0, -row;
+      if (held_[n].y) moved.row(2 * n + 1) << 0, 1, column;
     }
     return 3 - static_cast<int>(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(moved).rank());
   }
