@@ -203,8 +203,8 @@ class SceneSection {
       rows += element("tr", row);
     }
     return framed({page_.id("table " + run_.name + " torn links"),
-                   "Torn links by kind, and the displacement of the plate at the first and the last.", "Torn links",
-                   "study",
+                   "Torn links by kind, and the displacement of the plate at the first and the last.",
+                   run_.scene.title + ", torn links", "study",
                    head_cell("Kind") + head_cell("Links", true) + head_cell("Torn", true) +
                        head_cell("Of them to a fixed node", true) + head_cell("First", true) + head_cell("Last", true),
                    rows});
