@@ -51,16 +51,17 @@ double least_radius(const Parts& parts) {
   return std::isfinite(least) ? least : 1;
 }
 
-// Only what matters: a spin where some disc can be turned, a spring where some contact has friction.
+// Only what matters: a spring of rolling where there are discs to roll, a spin where some disc can be turned, a spring where some contact has friction.
 void set_options(const Scene& scene, Parts& parts) {
   parts.gravity = scene.model.gravity;
   const MomentArm arm = scene.model.moment_arm;
   parts.pair_arm_shortening = arm == MomentArm::radius ? 0 : 0.5;
   parts.flat_arm_shortening = arm == MomentArm::radius ? 0 : arm == MomentArm::half_overlap ? 0.5 : 1;
   parts.rolling_smoothing = scene.model.rolling_smoothing;
-  for (const ContactLaw& law : parts.law) {
+  for (ContactLaw& law : parts.law) {
+    law.options.rolling_spring = law.options.rolling_spring && parts.disc.count() > 0;
     parts.rolling = parts.rolling || (law.rolling > 0 && parts.disc.count() > 0);
-    parts.rolling_spring = parts.rolling_spring || (law.options.rolling_spring && parts.disc.count() > 0);
+    parts.rolling_spring = parts.rolling_spring || law.options.rolling_spring;
     parts.friction = parts.friction || law.friction > 0;
     parts.options = parts.options || !law.options.none();
   }
