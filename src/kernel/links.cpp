@@ -90,16 +90,46 @@ FURROW_WIDTHS_OF(void, add_link_forces,
 FURROW_WIDTHS(bool, any_over, (const std::vector<Group>& groups, const NodeMotion& nodes, const Arrays& by),
               (groups, nodes, by))
 
+int offset_of(const LinkArrays& links, int k) { return links.b[k] - links.a[k]; }
+
+std::ptrdiff_t place_of(const std::vector<int>& offsets, int offset) {
+  return std::find(offsets.begin(), offsets.end(), offset) - offsets.begin();
+}
+
+// Whether two links that follow each other may be of one group.
+bool alike(const LinkArrays& links, int j, int k) {
+  return links.kind[k] == links.kind[j] && links.a[k] >= links.a[j] && links.axial[k] == links.axial[j] &&
+         links.in_magnitude[k] == links.in_magnitude[j];
+}
+
+// Whether link k comes after the one before it, of the same node, in the order of the offsets too; `own` is the node's
+// first one.
+bool follows(const std::vector<int>& offsets, const LinkArrays& links, int own, int k) {
+  return k == own || place_of(offsets, offset_of(links, k)) > place_of(offsets, offset_of(links, k - 1));
+}
+
 }  // namespace
 
+// Of a group all nodes have their links as a in one order of offsets. Where a node has another order, as it may where
+// links are left out or another lattice begins, the next group begins with that node.
 LinkLanes::LinkLanes(const LinkArrays& links) : lane_(static_cast<std::size_t>(links.count())) {
-  for (int first = 0, k = 1; k <= links.count(); ++k) {
-    const bool same = k < links.count() && links.kind[k] == links.kind[first] && links.a[k] >= links.a[k - 1] &&
-                      links.axial[k] == links.axial[first] && links.in_magnitude[k] == links.in_magnitude[first];
-    if (same) continue;
+  std::vector<int> offsets;
+  int first = 0, own = 0;  // links: of the group, and of the node
+  const auto begin_again_at = [&](int k) {
     add_group(links, first, k);
     first = k;
+    offsets.clear();
+  };
+  for (int k = 0; k < links.count(); ++k) {
+    if (k > 0 && !alike(links, k - 1, k)) begin_again_at(k);
+    if (k == first || links.a[k] != links.a[k - 1]) own = k;
+    if (!follows(offsets, links, own, k)) {
+      begin_again_at(own);
+      k = own;
+    }
+    if (place_of(offsets, offset_of(links, k)) == std::ssize(offsets)) offsets.push_back(offset_of(links, k));
   }
+  if (links.count() > 0) add_group(links, first, links.count());
   const std::size_t lanes = by_.rest.size();
   by_.there.resize(lanes);
   for (auto* written : {&by_.fx, &by_.fy, &by_.power}) written->resize(lanes);
