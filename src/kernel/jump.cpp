@@ -48,7 +48,9 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
   double& rolled = block_rolled_[0];
   if (parts_->keeps_ledger) rolled = y[layout_.ledger_of(rolling_work)];
   sum_rates(t, y, slots_, rates_, [&](const TouchBatch& c, int block) {
-    if (parts_->options ? scatter_returned_slots(c, layout_, y) : scatter_returned(c, slots_.spring)) changed = true;
+    const Returned of = parts_->options ? scatter_returned_slots(c, layout_, y) : scatter_returned(c, slots_.spring);
+    if (of.changed) changed = true;
+    if (of.stirred && (c.kind == disc_disc || c.kind == disc_wall)) slots_.renew(c);
     if (watched_) survey_batch(c, block);
     if (!parts_->keeps_ledger) return;
     if (parts_->rolling_spring) add_rolling_heat(c, *parts_, block_rolled_[block]);

@@ -67,6 +67,8 @@ class Kernel final : public Solver {
     void make_room(const Candidates& list, int first, int last) const;
 
     void update(Candidates& list, int candidate, bool near);
+    bool stretched(int slot) const;
+    void renew(const TouchBatch& pairs);
     void relax(int slot);
   };
 

@@ -130,11 +130,15 @@ FURROW_WIDE void scatter_to_slots_lanes(const TouchBatch& c, const TouchBatch::L
 }
 
 template <int N>
-FURROW_WIDE bool scatter_returned_lanes(const TouchBatch& c, double* spring) {
-  std::int64_t changed = 0;
-  for (int k = 0; k < c.count; ++k) changed += c.spring[k] != c.held[k] ? 1 : 0;
+FURROW_WIDE Returned scatter_returned_lanes(const TouchBatch& c, double* spring) {
+  std::int64_t changed = 0, stirred = 0;
+  for (int k = 0; k < c.count; ++k) {
+    const std::int64_t other = c.spring[k] != c.held[k] ? 1 : 0;
+    changed += other;
+    stirred += c.touching[k] == 0 ? other : 0;
+  }
   scatter_to_slots_lanes<N>(c, c.spring, spring);
-  return changed != 0;
+  return {changed != 0, stirred != 0};
 }
 
 FURROW_WIDE bool note_near_lanes(const TouchBatch& c, std::uint32_t* near_at, std::uint32_t now) {
@@ -210,7 +214,7 @@ FURROW_WIDTHS_OF(BatchExtremes, extremes, (const TouchBatch& c), (c))
 FURROW_WIDTHS_OF(void, gather_springs, (TouchBatch & c, const double* spring, int dummy), (c, spring, dummy))
 FURROW_WIDTHS_OF(void, scatter_to_slots, (const TouchBatch& c, const TouchBatch::Lanes<double>& from, double* by_slot),
                  (c, from, by_slot))
-FURROW_WIDTHS_OF(bool, scatter_returned, (const TouchBatch& c, double* spring), (c, spring))
+FURROW_WIDTHS_OF(Returned, scatter_returned, (const TouchBatch& c, double* spring), (c, spring))
 FURROW_WIDTHS(bool, note_near, (const TouchBatch& c, std::uint32_t* near_at, std::uint32_t now), (c, near_at, now))
 FURROW_WIDTHS_OF(void, add_loads, (const TouchBatch& c, const int* load_of_b, DiscLoad* sum), (c, load_of_b, sum))
 FURROW_WIDTHS_OF(void, accelerate, (const DiscLoad* load, const DiscRates& rates, std::size_t first, std::size_t last),

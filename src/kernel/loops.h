@@ -70,8 +70,12 @@ void evaluate(TouchBatch&, const ContactModel&, Evaluation);
 void gather_springs(TouchBatch&, const double* spring, int dummy);
 void scatter_to_slots(const TouchBatch&, const TouchBatch::Lanes<double>&, double* by_slot);
 
-// Writes back the springs that `evaluate` has returned to the limit. True if one has changed.
-bool scatter_returned(const TouchBatch&, double* spring);
+// Writes back the springs that `evaluate` has returned to the limit.
+struct Returned {
+  bool changed;  // some spring
+  bool stirred;  // one of a contact that does not touch: it did within the step
+};
+Returned scatter_returned(const TouchBatch&, double* spring);
 
 // Adds the loads of a batch of disc pairs to those of the discs, in the order of the pairs.
 void add_loads(const TouchBatch&, const int* load_of_b, DiscLoad*);

@@ -90,15 +90,17 @@ void scatter_spring_rates(const TouchBatch& c, const Parts& parts, const Layout&
   }
 }
 
-bool scatter_returned_slots(const TouchBatch& c, const Layout& at, State& y) {
-  bool changed = false;
+Returned scatter_returned_slots(const TouchBatch& c, const Layout& at, State& y) {
+  Returned returned{false, false};
   for (int k = 0; k < c.count; ++k) {
     if (c.slot[k] < 0) continue;
     y[at.spring_of(c.slot[k])] = c.spring[k];
     if (at.slot_width > 1) y[at.turn_of(c.slot[k])] = c.turn[k];
-    changed = changed || c.spring[k] != c.held[k] || c.turn[k] != c.turn_held[k];
+    const bool other = c.spring[k] != c.held[k] || c.turn[k] != c.turn_held[k];
+    returned.changed = returned.changed || other;
+    returned.stirred = returned.stirred || (other && c.touching[k] == 0);
   }
-  return changed;
+  return returned;
 }
 
 void add_powers_with_options(const TouchBatch& c, const Parts& parts, ContactPowers& sum) {

@@ -17,7 +17,7 @@ void gather_slots(TouchBatch&, const Parts&, const Layout&, const State& y);
 void scatter_spring_rates(const TouchBatch&, const Parts&, const Layout&, State& dydt);
 
 // As `scatter_returned`.
-bool scatter_returned_slots(const TouchBatch&, const Layout&, State& y);
+Returned scatter_returned_slots(const TouchBatch&, const Layout&, State& y);
 
 // As `add_powers`.
 void add_powers_with_options(const TouchBatch&, const Parts&, ContactPowers&);

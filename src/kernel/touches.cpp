@@ -44,10 +44,24 @@ void Kernel::JumpingSlots::make_room(const Candidates& list, int first, int last
   if (left < wanting) kernel->grow_slots(static_cast<int>(wanting - left));
 }
 
+// Whether a spring of the slot is not 0: where the contact does not touch now, it did within the step.
+bool Kernel::JumpingSlots::stretched(int slot) const {
+  return slot >= 0 && std::any_of(spring + slot * width, spring + (slot + 1) * width, [](double s) { return s != 0; });
+}
+
+// Pairs that touched within the step count as near.
+void Kernel::JumpingSlots::renew(const TouchBatch& pairs) {
+  Candidates& list = kernel->search_.candidates[pairs.kind];
+  const auto first = pairs.slot - list.slot.data();
+  for (int k = 0; k < pairs.count; ++k) {
+    if (pairs.touching[k] == 0 && (pairs.held[k] != 0 || pairs.turn_held[k] != 0)) list.near_at[first + k] = now;
+  }
+}
+
 // A near contact takes a slot; one that has not been near for long gives it back.
 void Kernel::JumpingSlots::update(Candidates& list, int candidate, bool near) {
   int& slot = list.slot[candidate];
-  if (near) list.near_at[candidate] = now;
+  if (near || stretched(slot)) list.near_at[candidate] = now;
   if (slot_changes(slot, list.near_at[candidate], now) == 0) return;
   if (slot >= 0) {
     unused.push_back(slot);

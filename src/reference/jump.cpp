@@ -29,7 +29,7 @@ class Slots {
       const bool near = proximity(now, pair).near;
       const bool holds = next != discrete_.held.end() && same(*next, pair);
       if (holds) {
-        if (near) next->near_at = discrete_.jumps;
+        if (near || stretched(next->slot)) next->near_at = discrete_.jumps;
         const bool quiet = discrete_.jumps - next->near_at > quiet_jumps;
         if (quiet)
           discrete_.unused.push_back(next->slot);
@@ -45,6 +45,12 @@ class Slots {
   }
 
  private:
+  // Then the contact touches, or it did within the step.
+  bool stretched(int slot) const {
+    const auto first = y_.begin() + layout_.spring_of(slot);
+    return std::any_of(first, first + layout_.slot_width, [](double number) { return number != 0; });
+  }
+
   int take() {
     if (discrete_.unused.empty()) grow();
     const int slot = discrete_.unused.back();

@@ -8,9 +8,10 @@
 // closes within one step keeps its spring, unless events are located (run/events.h). It is one spring
 // for a disc and a plate or lattice, whichever face or segment is the nearest: xi goes on along the new tangent. A
 // multistep method keeps its history when a spring is returned, so its next step may still carry the old slip. A
-// contact that has been further away than the margin for more than `quiet_jumps` jumps gives its slot back: longer than
-// the history of any multistep method, so that nothing that it remembers of the old contact reaches the new one. A
-// contact without a slot has no spring: xi = 0. Slots are a stack: the one given back last is taken next.
+// contact that has been further away than the margin for more than `quiet_jumps` jumps, and touched within no step
+// between them, gives its slot back: longer than the history of any multistep method, so that nothing that it remembers
+// of the old contact reaches the new one. A contact without a slot has no spring: xi = 0. Slots are a stack: the one
+// given back last is taken next.
 #pragma once
 
 #include <cstdint>
