@@ -1,0 +1,86 @@
+// Scenes in which the kernel once gave other bits than the reference.
+#include <gtest/gtest.h>
+
+#include "both_solvers.h"
+
+namespace furrow {
+namespace {
+
+using test::BothSolvers;
+
+Scene of_one_material() {
+  Scene scene;
+  scene.material = {{.name = "soft", .young = 1e5, .poisson = 0.25}};
+  return scene;
+}
+
+// A node adds up its links in their order, whatever kinds and widths of lattices stand beside it.
+TEST(KernelIsReference, WithLatticesOfUnequalWidthAndOneKindOfLink) {
+  for (const auto kind : {&Lattice::structural, &Lattice::shear, &Lattice::bending}) {
+    Scene scene = of_one_material();
+    for (const int columns : {3, 5, 1, 4}) {
+      Lattice l;
+      l.origin = {0.2 * columns, 0};
+      l.rows = 5;
+      l.columns = columns;
+      l.spacing = 0.02;
+      l.node_mass = 0.2;
+      l.material = "soft";
+      l.*kind = {2000, 1, 3};
+      for (int n = 0; n < 5 * columns; ++n)
+        l.node.push_back(
+            {n / columns, n % columns, {1e-3 * (n * n % 7 - 3), 1e-3 * (n * n % 5 - 2)}, {0.1 * n, 0}, {0.3, 0.1 * n}});
+      scene.lattice.push_back(l);
+    }
+    EXPECT_EQ(BothSolvers(scene).run("pece", 1e-4, 40), "");
+  }
+}
+
+// No node can roll, whatever the law says of it: a slot of its contacts has one number.
+TEST(KernelIsReference, WhereALawOfRollingSpringsMeetsNodesAlone) {
+  Scene scene = of_one_material();
+  scene.model.rolling = Rolling::spring;
+  scene.contact = {.friction = 0.3, .rolling_friction = 0.3};
+  scene.wall = {{"", {0, 0}, {0, 1}, "soft"}};
+  Lattice l;
+  l.origin = {0, 0};
+  l.rows = 3;
+  l.columns = 4;
+  l.spacing = 0.02;
+  l.node_mass = 0.2;
+  l.material = "soft";
+  l.structural = {2000, 1, infinity};
+  for (int column = 0; column < 4; ++column)  // the last one comes first, and takes the first slot
+    l.node.push_back({0, column, {0, 3e-4 * (4 - column)}, {0.1 * column, -1}, {}});
+  scene.lattice = {l};
+  BothSolvers both(scene);
+  EXPECT_EQ(both.run("pece", 1e-4, 40), "");
+  EXPECT_GT(both.contacts(), 100);
+}
+
+// A contact that was long apart and touches at a stage of a step, but neither before nor after it, keeps its slot: the
+// method may remember its slip.
+TEST(KernelIsReference, WhereDiscsTouchWithinAStepAlone) {
+  Scene scene = of_one_material();
+  scene.contact.friction = 0.5;
+  const double radius = 0.01, step = 1e-4, speed = 400;  // m, s, m/s
+  scene.disc = {{{0, 0}, radius, {}, 0, "soft"}, {{0, 0.0199}, radius, {speed, 0}, 0, "soft"}};
+  System system(scene);
+  const auto method = make_method("rk4");
+  const int other = 1;
+  State y = system.initial_state();
+  jump(system, *method, 0, y);
+  ASSERT_EQ(system.discrete_state().held.size(), 1u);
+  y[system.x_of(other)] = -0.5 * speed * step - 1;
+  for (std::uint32_t n = 1; n < quiet_jumps; ++n) jump(system, *method, 0, y);
+  y[system.x_of(other)] = -0.5 * speed * step;  // halfway it touches
+  const DiscreteState before = system.discrete_state();
+  ASSERT_EQ(before.jumps - before.held.at(0).near_at, quiet_jumps - 1);
+  BothSolvers both(scene);
+  both.start_from(y, before);
+  EXPECT_EQ(both.run("rk4", step, 1), "");
+  EXPECT_EQ(both.kernel().discrete_state().held.size(), 1u);
+}
+
+}  // namespace
+}  // namespace furrow
