@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/kernel.h"
+#include "physics/link.h"
 #include "system/border.h"
 
 namespace furrow {
@@ -127,7 +128,7 @@ void Kernel::tear_links(double t, State& y, JumpReport& report) {
     const double ry = nodes_.y[link.a[k]] - nodes_.y[link.b[k]];
     const double stretch = std::sqrt(rx * rx + ry * ry) - link.rest[k];
     const double force = link.stiffness[k] * stretch;
-    if (!((link.in_magnitude[k] != 0 ? std::fabs(force) : force) > link.strength[k])) continue;
+    if (!link_tears(force, link.strength[k], link.in_magnitude[k] != 0)) continue;
     report.torn.push_back({t, k, force});
     released += 0.5 * force * stretch;
   }

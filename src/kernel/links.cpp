@@ -74,9 +74,8 @@ FURROW_WIDE bool any_over_lanes(const std::vector<Group>& groups, const NodeMoti
         for (int i = k; i < k + LinkLanes::whole; ++i) {
           const double rx = xa[i] - xb[i], ry = ya[i] - yb[i];
           const double force = stiffness[i] * (std::sqrt(rx * rx + ry * ry) - rest[i]);
-          const std::int64_t tears = force > strength[i] ? 1 : 0;
-          const std::int64_t crushed = group.in_magnitude && force < -strength[i] ? 1 : 0;
-          over += there[i] != 0 ? tears + crushed : 0;
+          const std::int64_t tearing = link_tears(force, strength[i], group.in_magnitude) ? 1 : 0;
+          over += there[i] != 0 ? tearing : 0;
         }
       }
     }

@@ -36,4 +36,9 @@ struct LinkForce {
   return f;
 }
 
+// Whether a link of this strength (N) tears under the force of its spring (N).
+[[gnu::always_inline]] inline bool link_tears(double spring, double strength, bool in_magnitude) {
+  return (in_magnitude ? std::fabs(spring) : spring) > strength;
+}
+
 }  // namespace furrow

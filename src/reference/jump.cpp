@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "physics/link.h"
 #include "reference/reference.h"
 #include "system/border.h"
 #include "system/order.h"
@@ -173,7 +174,7 @@ std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& 
     const Vec2 r = node_of(now, link.a[k]).at - node_of(now, link.b[k]).at;
     const double stretch = std::sqrt(dot(r, r)) - link.rest[k];  // m
     const double force = link.stiffness[k] * stretch;            // N
-    if (!((link.in_magnitude[k] != 0 ? std::fabs(force) : force) > link.strength[k])) continue;
+    if (!link_tears(force, link.strength[k], link.in_magnitude[k] != 0)) continue;
     tears.push_back({now.t, k, force});
     released += 0.5 * force * stretch;
   }
