@@ -16,7 +16,8 @@ namespace {
 // which kept results know it, stay what they are when an option comes that it does not use.
 constexpr std::pair<std::string_view, std::string_view> options_off[] = {
     {"law", "\"hertz_mindlin\""}, {"slip_damping", "true"}, {"after_slip", "\"elastic\""},
-    {"rolling", "\"smoothed\""},  {"ramp", "0.0"},          {"angles", "false"}};
+    {"rolling", "\"smoothed\""},  {"ramp", "0.0"},          {"angles", "false"},
+    {"fixed_x", "false"},         {"fixed_y", "false"}};
 
 // Writes one struct of the scene as one table. It is a visitor of schema.h.
 class TableWriter {
