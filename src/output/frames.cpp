@@ -4,6 +4,7 @@
 
 #include "run/observe.h"
 #include "scene/wording.h"
+#include "system/place.h"
 
 namespace furrow {
 namespace {
@@ -83,7 +84,7 @@ Table discs_of(const System& system, double t, const State& y) {
     table.data.push_back({"angle [rad]", {7}});
   }
   const std::vector<Stress> stress = disc_stresses(system, t, y);
-  for (int i = 0; i < system.parts().disc.count(); ++i) {
+  for (const int i : places_in(system.parts().disc.number)) {
     auto& row = table.add(y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], y[system.vx_of(i)],
                           y[system.vy_of(i)], system.spin(y, i), von_mises(stress[i]));
     if (at.angles > 0) row.push_back(number(y[at.angle_of(i)]));
@@ -109,6 +110,7 @@ Table contacts_of(const System& system, double t, const State& y) {
                {"b", {2}, "Int32"}}};
   const Parts& parts = system.parts();
   const NodeMotion node = system.nodes(t, y);
+  const auto number_of = [&](int part, bool disc) { return std::to_string(disc ? parts.disc.number[part] : part); };
   system.for_each_contact(t, y, [&](const Contact& c) {
     const bool disc = of_disc(c.id.kind), pair = c.id.kind == disc_disc;
     const double x = disc ? y[system.x_of(c.id.a)] : node.x[c.id.a];
@@ -116,7 +118,7 @@ Table contacts_of(const System& system, double t, const State& y) {
     const double height = disc ? y[system.y_of(c.id.a)] : node.y[c.id.a];
     const double length = (disc ? parts.disc.radius[c.id.a] : 0) - c.touch.overlap;
     auto& row = table.rows.emplace_back(std::vector<std::string>{
-        contact_kind_names[c.id.kind], std::to_string(c.id.a), std::to_string(c.id.b), number(x), number(height),
+        contact_kind_names[c.id.kind], number_of(c.id.a, disc), number_of(c.id.b, pair), number(x), number(height),
         number(pair ? x2 : x + length * c.nx), number(pair ? y2 : height + length * c.ny), number(c.touch.overlap),
         number(c.force.normal), number(c.force.tangential), number(c.touch.slip), number(c.touch.spring),
         number(c.force.moment)});

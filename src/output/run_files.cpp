@@ -18,6 +18,7 @@
 #include "scene/hash.h"
 #include "scene/read.h"
 #include "system/floating_point.h"
+#include "system/place.h"
 
 namespace furrow {
 namespace {
@@ -57,9 +58,9 @@ void write_state(const fs::path& directory, const System& system, double t, cons
   const NodeMotion nodes = system.nodes(t, y);
   OutputFile file(directory / "state.csv",
                   "body,index,x [m],y [m],vx [m/s],vy [m/s],spin [rad/s],radius [m],von Mises [Pa]");
-  for (int i = 0; i < parts.disc.count(); ++i) {
-    file.row("disc", i, y[system.x_of(i)], y[system.y_of(i)], y[system.vx_of(i)], y[system.vy_of(i)], system.spin(y, i),
-             parts.disc.radius[i], von_mises(stress[i]));
+  for (const int i : places_in(parts.disc.number)) {
+    file.row("disc", parts.disc.number[i], y[system.x_of(i)], y[system.y_of(i)], y[system.vx_of(i)], y[system.vy_of(i)],
+             system.spin(y, i), parts.disc.radius[i], von_mises(stress[i]));
   }
   for (int n = 0; n < parts.node.count(); ++n) {
     const char* kind = parts.node.drive[n] >= 0 ? "driven node" : parts.node.body[n] < 0 ? "fixed node" : "node";

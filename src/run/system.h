@@ -17,7 +17,8 @@ namespace furrow {
 class System;
 
 // A force of the caller's own. It adds accelerations to the rates of a state, [m/s^2] at vx_of and vy_of, [rad/s^2] at
-// spin_of, and like rhs it is pure. The energy ledger does not know it: its work stands in the residual.
+// spin_of, and like rhs it is pure. Discs stand there as they are stored: parts().disc.number says which of the scene each
+// is. The energy ledger does not know the force: its work stands in the residual.
 struct OwnForce {
   std::function<void(const System& system, double t, const State& y, State& rates)> add;
   std::string velocity_dependence{};  // its name in messages if it depends on velocity; empty: it does not

@@ -2,7 +2,7 @@
 // from the scene alone, and is the same for every solver, number of threads and setting of the search.
 //
 //   contacts   kind by kind, in the order of ContactKind; of one kind sorted by (a, b), a < b between discs
-//   discs      are cut into blocks by their numbers
+//   discs      are numbered as they are stored (system/place.h), and cut into blocks by these numbers
 //   of a disc  first its pairs with discs of its own block, and those of which it is the first disc, in order; then its
 //              boundary contributions: pairs whose first disc is of an earlier block, in order; then walls, plates,
 //              lattices

@@ -12,6 +12,7 @@
 #include "system/border.h"
 #include "system/floating_point.h"
 #include "system/held_faces.h"
+#include "system/place.h"
 
 namespace furrow {
 namespace {
@@ -24,7 +25,14 @@ int index_of_material(const Scene& scene, const std::string& name) {
 }
 
 void add_discs(const Scene& scene, Parts& parts) {
+  std::vector<double> x, y;
   for (const Disc& d : scene.disc) {
+    x.push_back(d.position.x);
+    y.push_back(d.position.y);
+  }
+  parts.disc.number = order_of_storage(x, y);
+  for (const int number : parts.disc.number) {
+    const Disc& d = scene.disc[number];
     const int material = index_of_material(scene, d.material);
     const bool flat = scene.model.disc_mass == DiscMass::disc;
     const double volume = flat ? disc_volume(d.radius, scene.model.disc_depth) : sphere_volume(d.radius);
@@ -51,7 +59,8 @@ double least_radius(const Parts& parts) {
   return std::isfinite(least) ? least : 1;
 }
 
-// Only what matters: a spring of rolling where there are discs to roll, a spin where some disc can be turned, a spring where some contact has friction.
+// Only what matters: a spring of rolling where there are discs to roll, a spin where some disc can be turned, a spring
+// where some contact has friction.
 void set_options(const Scene& scene, Parts& parts) {
   parts.gravity = scene.model.gravity;
   const MomentArm arm = scene.model.moment_arm;
@@ -190,7 +199,7 @@ std::string Parts::node_name(int i) const {
 }
 
 std::string Parts::body_name(int body) const {
-  if (body < disc.count()) return "disc " + std::to_string(body);
+  if (body < disc.count()) return "disc " + std::to_string(disc.number[body]);
   const auto found = std::find(node.body.begin(), node.body.end(), body);
   return node_name(static_cast<int>(found - node.body.begin()));
 }

@@ -13,7 +13,9 @@ namespace furrow {
 
 std::string to_string(LinkClass kind);
 
+// In the order of storage, see system/place.h.
 struct DiscArrays {
+  std::vector<int> number;                            // in the scene
   std::vector<double> x, y, vx, vy, spin;             // m, m/s, rad/s at t = 0
   std::vector<double> radius, mass, inertia, volume;  // m, kg, kg m^2, m^3
   std::vector<int> material;
@@ -115,7 +117,7 @@ struct Parts {
 
   int bodies() const { return disc.count() + free_nodes; }
   int law_of(int material_a, int material_b) const { return material_a * materials + material_b; }
-  std::string body_name(int body) const;  // "disc 12", "node (row 3, column 1) of lattice stem"
+  std::string body_name(int body) const;  // with the scene's number: "disc 12", "node (row 3, column 1) of lattice stem"
   std::string node_name(int node) const;
   std::string link_name(int link) const;
 };

@@ -9,6 +9,7 @@
 
 #include "kernel/kernel.h"
 #include "output/checkpoint.h"
+#include "system/place.h"
 #include "tests/property/differences.h"
 #include "worlds.h"
 
@@ -175,7 +176,7 @@ TEST(EveryStep, OneBitOfOneNumberIsSeenAndNamed) {
   const World world(BedKind::full, {}, "pece");
   System one(bed(BedKind::full, {})), other(bed(BedKind::full, {}));
   Snapshot changed = world.now();
-  const int place = world.system().vy_of(77);
+  const int place = world.system().vy_of(places_in(one.parts().disc.number)[77]);
   changed.y[place] = std::nextafter(changed.y[place], 1e300);
   const std::string found = difference(world.now(), changed, one, other, {"this", "that"});
   EXPECT_EQ(found.substr(0, found.find(':')), "vy of disc 77");

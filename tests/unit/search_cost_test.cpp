@@ -43,10 +43,8 @@ struct Heap {
 
   void finish() {
     parts = make_parts(scene);
-    for (const Disc& d : scene.disc) {
-      x.push_back(d.position.x);
-      y.push_back(d.position.y);
-    }
+    x = parts.disc.x;
+    y = parts.disc.y;
   }
   Placement now(double t = 0) const { return {t, x.data(), y.data(), parts.node.x.data(), parts.node.y.data()}; }
 

@@ -11,6 +11,7 @@
 #include "report/seal.h"
 #include "run/observe.h"
 #include "run/run.h"
+#include "system/place.h"
 
 namespace furrow::validation {
 namespace {
@@ -21,7 +22,7 @@ Frame frame_of(const System& system, double t, const State& y) {
     for (std::size_t k = 0; k < row.size(); ++k) to[k].push_back(row[k]);
   };
   const std::vector<Stress> stress = disc_stresses(system, t, y);
-  for (int i = 0; i < system.parts().disc.count(); ++i)
+  for (const int i : places_in(system.parts().disc.number))
     add(discs, {y[system.x_of(i)], y[system.y_of(i)], system.parts().disc.radius[i], von_mises(stress[i])});
   const NodeMotion node = system.nodes(t, y);
   const LinkArrays& link = system.parts().link;
