@@ -68,7 +68,7 @@ class Kernel final : public Solver {
 
     void update(Candidates& list, int candidate, bool near);
     bool stretched(int slot) const;
-    void renew(const TouchBatch& pairs);
+    void renew(const TouchBatch& pairs) const;
     void relax(int slot);
   };
 

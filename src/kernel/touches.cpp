@@ -50,7 +50,7 @@ bool Kernel::JumpingSlots::stretched(int slot) const {
 }
 
 // Pairs that touched within the step count as near.
-void Kernel::JumpingSlots::renew(const TouchBatch& pairs) {
+void Kernel::JumpingSlots::renew(const TouchBatch& pairs) const {
   Candidates& list = kernel->search_.candidates[pairs.kind];
   const auto first = pairs.slot - list.slot.data();
   for (int k = 0; k < pairs.count; ++k) {

@@ -173,9 +173,8 @@ struct ContactPowers {
   double viscous = 0, friction = 0, rolling = 0, stiffening = 0;  // W
 
   void add(const TouchPowers& one, bool scene_has_friction) {
-    viscous += one.viscous;
+    viscous += scene_has_friction ? one.viscous + one.sticking : one.viscous;
     if (!scene_has_friction) return;
-    viscous += one.sticking;
     friction += one.sliding;
     rolling += one.rolling;
     stiffening += one.stiffening;
