@@ -12,7 +12,7 @@ const std::vector<PagePart>& page_parts() {
       {"right",
        "Is the model right?",
        "Are its equations solved right: by checks against closed forms, by the order of each method, by faults put in.",
-       {"order", "published"}},
+       {"responses", "order", "published"}},
       {"accurate", "How accurate is it?", "What an error costs, by each method.", {"work_precision", "need"}},
       {"breaks", "Where does it break?", "How long a step may be, and what happens beyond.", {"stability"}},
       {"fast",

@@ -12,9 +12,21 @@ namespace {
 
 double kept(double value) { return to_digits(value, 6); }
 
+// One number a stretch; null where no row falls into it.
+Json force_by_way(const ForceCurve& curve) {
+  Json largest = Json::array();
+  for (std::size_t k = 0; k < curve.mm.size(); ++k) {
+    const auto stretch = static_cast<std::size_t>(std::max(0.0, curve.mm[k] / stretch_of_way));
+    while (largest.size() <= stretch) largest.push_back(nullptr);
+    Json& most = largest[stretch];
+    if (most.is_null() || most.get<double>() < curve.f[k]) most = to_digits(curve.f[k], 3);
+  }
+  return largest;
+}
+
 }  // namespace
 
-Json observed(const Scene& made, const std::string& scene) {
+Json observed(const Scene& made, const std::string& scene, Curve curve) {
   Prepared prepared = prepare(made);
   Json values = Json::object();
   if (prepared.surface) values["surface"] = kept(*prepared.surface);
@@ -34,6 +46,7 @@ Json observed(const Scene& made, const std::string& scene) {
   double sum = 0;
   for (const double f : run.force.f) sum += f;
   values["mean_force"] = kept(sum / static_cast<double>(run.force.f.size()));
+  if (curve == Curve::kept) values["force_by_way"] = force_by_way(run.force);
   return values;
 }
 
@@ -48,7 +61,7 @@ Json only(const std::vector<std::string>& ids, const Json& observed) {
 
 Task Member::task() const {
   const Scene made = paper_scene(scene, reading, seed);
-  return {key(), [made, of = scene] { return observed(made, of); }, hash_of_observed(made, scene)};
+  return {key(), [made, of = scene] { return observed(made, of, Curve::kept); }, hash_of_observed(made, scene)};
 }
 
 std::vector<Member> paper_members(bool quick) {

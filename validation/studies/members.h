@@ -14,7 +14,10 @@ namespace furrow::validation {
 // The named observables of one run of a made scene: those of the paper's statements about `scene` ("scenario_2"), and
 // mean_force [N] and surface [m], the height of the settled bed. Numbers of six digits, or words where a run says no
 // number. Of a run that diverges only what statements about stability ask, and "failed": why.
-Json observed(const Scene& made, const std::string& scene);
+// With its curve also "force_by_way": the largest force in each stretch_of_way that the plate goes, N.
+enum class Curve { left_out, kept };
+inline constexpr double stretch_of_way = 5;  // mm
+Json observed(const Scene& made, const std::string& scene, Curve curve = Curve::left_out);
 
 // Those of the observables of a run, and why it failed if it did.
 Json only(const std::vector<std::string>& ids, const Json& observed);

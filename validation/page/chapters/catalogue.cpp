@@ -10,6 +10,7 @@
 #include "validation/studies/statements.h"
 #include "verification/studies/order.h"
 #include "verification/studies/published.h"
+#include "verification/studies/responses.h"
 #include "verification/studies/stability.h"
 
 namespace furrow::validation {
@@ -48,6 +49,11 @@ const std::vector<Study>& catalogue() {
            "verification/damped_hertz."),
        .measure = verification::measure_order,
        .chapter = order},
+      {.name = "responses",
+       .what = "one contact, one spring, one bent lattice beside closed forms; published impacts",
+       .files = of_verification({"responses."}, "verification/oblique_"),
+       .measure = verification::measure_responses,
+       .chapter = responses},
       {.name = "published",
        .what = "every method on published problems that have nothing to do with contacts",
        .files = of_verification({"published", "order_observed.", "order_predicted.", "order_reference."},

@@ -19,6 +19,7 @@ Report work_precision(const Shelf& shelf);
 Report need(const Shelf& shelf);
 Report speed(const Shelf& shelf);
 Report published(const Shelf& shelf);
+Report responses(const Shelf& shelf);
 Report statements(const Shelf& shelf);
 Report readings_of_the_paper(const Shelf& shelf);
 
