@@ -16,13 +16,7 @@ namespace furrow::validation {
 namespace {
 
 Scene applied(const std::string& scene, const Alternative& alternative) {
-  std::vector<VariedKey> keys;
-  Setting setting;
-  for (const std::string& set : alternative.set) {
-    keys.push_back(VariedKey::of(set));
-    setting.push_back(keys.back().values.at(0));
-  }
-  return scene_with({scene, paper_scene(scene, Reading::disc, 1)}, keys, setting, 0);
+  return read_as(scene, paper_scene(scene, Reading::disc, 1), alternative);
 }
 
 const std::vector<std::string> scenes{"scenario_1", "scenario_2", "scenario_3"};

@@ -22,13 +22,6 @@ std::vector<VariedKey> keys_of(const Alternative& alternative) {
   return keys;
 }
 
-Scene with(const std::string& name, Scene scene, const Alternative& alternative) {
-  Setting setting;
-  const std::vector<VariedKey> keys = keys_of(alternative);
-  for (const VariedKey& key : keys) setting.push_back(key.values.at(0));
-  return scene_with({name, std::move(scene)}, keys, setting, 0);
-}
-
 // Whether a choice changes the scene at all.
 bool concerns(const Choice& choice, const std::string& name) {
   static std::map<std::pair<std::string, std::string>, bool> known;
@@ -36,7 +29,7 @@ bool concerns(const Choice& choice, const std::string& name) {
   if (fresh) {
     const Scene scene = paper_scene(name, Reading::disc, 1);
     std::set<std::string> made;
-    for (const Alternative& a : choice.alternatives) made.insert(canonical_text(with(name, scene, a)));
+    for (const Alternative& a : choice.alternatives) made.insert(canonical_text(read_as(name, scene, a)));
     place->second = made.size() > 1;
   }
   return place->second;
@@ -45,7 +38,8 @@ bool concerns(const Choice& choice, const std::string& name) {
 Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
   Scene scene = paper_scene(name, Reading::disc, packing);
   for (std::size_t k = 0; k < reading.size(); ++k)
-    scene = with(name, std::move(scene), the_readings().choices[k].alternatives[static_cast<std::size_t>(reading[k])]);
+    scene =
+        read_as(name, std::move(scene), the_readings().choices[k].alternatives[static_cast<std::size_t>(reading[k])]);
   if (scene.settle && scene.model.disc_mass == DiscMass::sphere) scene.settle->step = 1e-5;  // see paper_scene
   scene.time.step = step;
   return scene;
@@ -241,6 +235,17 @@ class Search {
 };
 
 }  // namespace
+
+Scene read_as(const std::string& name, Scene scene, const Alternative& alternative) {
+  Setting setting;
+  const std::vector<VariedKey> keys = keys_of(alternative);
+  for (const VariedKey& key : keys) {
+    setting.push_back(key.values.at(0));
+    if (key.name.starts_with("contact.damping"))
+      scene.contact.damping_factor = scene.contact.damping = {};  // one of them
+  }
+  return scene_with({name, std::move(scene)}, keys, setting, 0);
+}
 
 std::string Untorn::key() const { return "scenario_1 strength " + shortest(strength) + " dt " + shortest(step); }
 

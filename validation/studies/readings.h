@@ -35,6 +35,9 @@ struct Readings {
 };
 const Readings& the_readings();
 
+// A scene of the paper, of this name, with an alternative's keys.
+Scene read_as(const std::string& name, Scene scene, const Alternative& alternative);
+
 // An alternative of each choice, by its place.
 using Interpretation = std::vector<int>;
 std::string words_of(const Interpretation& reading);  // what is not literal: "box 0.54 m, damping alpha = 20"
