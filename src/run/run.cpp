@@ -9,6 +9,7 @@
 
 #include "kernel/parallel.h"
 #include "kernel/wide.h"
+#include "physics/ramp.h"
 #include "run/events.h"
 #include "run/stiffness.h"
 #include "scene/interrupt.h"
@@ -52,6 +53,7 @@ class Watch {
       plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
     }
     quarter_.assign(size_.size(), side / 4);
+    for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
   }
 
   // Empty if the step from `before` to `after` is sound; else `body` is the one that went too far, if any.
@@ -62,7 +64,10 @@ class Watch {
     in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
       if (!all_finite(after.data() + first, last - first)) finite = false;
     });
-    if (finite && all_moved_less(step, size_)) return stepped_over(step, body);
+    if (finite && all_moved_less(step, size_)) {
+      const std::string driven = driven_too_far(step);
+      return driven.empty() ? stepped_over(step, body) : driven;
+    }
     Sentence text;
     for (std::size_t i = 0; i < bodies; ++i) {
       const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
@@ -82,6 +87,21 @@ class Watch {
   }
 
  private:
+  // Driven nodes are no bodies: further than the radius of the smallest disc in a step they pass discs unseen.
+  std::string driven_too_far(const Step& step) const {
+    if (system_.solver().preparing()) return {};
+    for (const DrivePart& d : system_.parts().drive) {
+      const double time = ramped(step.t, d.ramp).time - ramped(step.t - step.h, d.ramp).time;
+      const double moved = std::hypot(d.vx, d.vy) * time;
+      if (!(moved > least_radius_)) continue;
+      Sentence text;
+      text << "the driven nodes of lattice " << d.lattice << " moved " << moved << " m in one step of " << step.h
+           << " s, more than the radius of the smallest disc, " << least_radius_ << " m";
+      return text.str();
+    }
+    return {};
+  }
+
   // If plates and bodies move by less than a quarter of a plate's smaller side in a step, no plate skips a body.
   std::string stepped_over(const Step& step, int& body) const {
     const Parts& parts = system_.parts();
@@ -108,9 +128,10 @@ class Watch {
   }
 
   const System& system_;
-  std::vector<double> size_;     // m, by body
-  std::vector<double> quarter_;  // m, of the smallest side of a plate, for each body
-  double plate_speed_ = 0;       // m/s, of the fastest
+  std::vector<double> size_;        // m, by body
+  std::vector<double> quarter_;     // m, of the smallest side of a plate, for each body
+  double plate_speed_ = 0;          // m/s, of the fastest
+  double least_radius_ = infinity;  // m
 };
 
 // A controlled method that takes ever shorter steps would never reach the end.
