@@ -75,7 +75,7 @@ void apply(const LinkSetting& s, LatticeLink& link) {
   link.stiffness = s.stiffness.value_or(link.stiffness) * s.stiffness_factor;
   link.damping = s.damping.value_or(link.damping);
   link.strength = s.strength.value_or(link.strength) * s.strength_factor;
-  link.torn = s.torn;
+  link.torn = link.torn || s.torn;  // what another setting changes of a notch does not mend it
 }
 
 }  // namespace

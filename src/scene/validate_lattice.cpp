@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -96,6 +97,14 @@ class LatticeJudge {
     for (const auto& [key, node] : {std::pair{".from", &s.from}, {".to", &s.to}})
       if (node->size() != (s.from.empty() && s.to.empty() ? 0 : 2))
         return fault(where + key, "from and to are a row and a column each", {where + ".from", where + ".to"});
+    for (const auto& [key, line, count] :
+         {std::tuple{".rows", &s.rows, lattice_.rows}, {".columns", &s.columns, lattice_.columns}})
+      check_lines(where + key, *line, count);
+    for (const auto& [key, node] : {std::pair{".from", &s.from}, {".to", &s.to}}) {
+      if (node->empty()) continue;
+      check_index(item(where + key, 0), node->front(), lattice_.rows);
+      check_index(item(where + key, 1), node->back(), lattice_.columns);
+    }
     if (s.cut_from.has_value() != s.cut_to.has_value())
       fault(where + (s.cut_from ? ".cut_from" : ".cut_to"), "a cut needs cut_from and cut_to");
   }

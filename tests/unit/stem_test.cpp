@@ -150,6 +150,51 @@ TEST(Links, OfTwoSettingsTheLaterHolds) {
   EXPECT_EQ(changed, 1);
 }
 
+TEST(Links, OfANotchStayTornWhateverALaterSettingChanges) {
+  Lattice l = square();
+  const LinkSetting notch{.cut_from = Vec2{-0.1, 0.15}, .cut_to = Vec2{0.04, 0.15}, .torn = true};
+  const auto torn = [&] {
+    const std::vector<LatticeLink> links = links_of(l);
+    return std::count_if(links.begin(), links.end(), [](const LatticeLink& k) { return k.torn; });
+  };
+  l.link = {notch, {.damping = 3}};
+  EXPECT_EQ(torn(), 1);
+}
+
+TEST(Links, OfLinesOutsideTheLatticeAreRefused) {
+  Scene scene = empty_scene();
+  scene.lattice = {square()};
+  const auto faults = [&](const LinkSetting& s) {
+    scene.lattice[0].link = {s};
+    std::vector<std::string> paths;
+    for (const Problem& p : problems_of(scene)) paths.push_back(p.path);
+    return paths;
+  };
+  using Paths = std::vector<std::string>;
+  EXPECT_EQ(faults({.rows = {0, 1, 9}, .stiffness = 1}), Paths{"lattice[0].link[0].rows[2]"});
+  EXPECT_EQ(faults({.columns = {3}, .stiffness = 1}), Paths{"lattice[0].link[0].columns[0]"});
+  EXPECT_EQ(faults({.from = {0, 0}, .to = {1, 7}, .stiffness = 1}), Paths{"lattice[0].link[0].to[1]"});
+  EXPECT_EQ(faults({.rows = {1, 1}, .stiffness = 1}), Paths{"lattice[0].link[0].rows[1]"});
+  EXPECT_EQ(faults({.rows = {0, 1}, .stiffness = 1}), Paths{});
+}
+
+TEST(Links, ThatASettingDoesNotChangeAreSaid) {
+  Scene scene = empty_scene();
+  scene.lattice = {square()};
+  const auto warning = [&](const LinkSetting& s) {
+    scene.lattice[0].link = {s};
+    const std::vector<std::string> lines = scene_warnings(scene);
+    const auto own = std::find_if(lines.begin(), lines.end(),
+                                  [](const std::string& line) { return line.starts_with("lattice[0].link[0]: "); });
+    return own == lines.end() ? std::string() : own->substr(20);
+  };
+  EXPECT_EQ(warning({.kind = LinkChoice::shear}), "has no effect: it changes nothing of the links that it chooses");
+  EXPECT_EQ(warning({.stiffness = 5, .torn = true}),
+            "its links are torn: their stiffness, damping and strength have no effect");
+  EXPECT_EQ(warning({.stiffness = 5}), "");
+  EXPECT_EQ(warning({.torn = true}), "");
+}
+
 TEST(Notches, AreTornFromTheStartWithBothSolvers) {
   for (const SolverKind kind : {SolverKind::kernel, SolverKind::reference}) {
     Scene scene = empty_scene();
