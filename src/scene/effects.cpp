@@ -1,5 +1,6 @@
 // What a scene gives and what changes nothing in it, and lattices that cannot do what their links say.
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,6 +12,8 @@
 
 namespace furrow {
 namespace {
+
+using Number = std::optional<double>;
 
 constexpr int threaded_discs = 4096;  // a smaller bed is no work for two threads
 
@@ -30,6 +33,45 @@ void judge_contact(const std::string& path, const auto& c, const Model& model, F
     idle(rolling, model.rolling != Rolling::none, ".rolling_friction", "model.rolling is none");
 }
 
+template <class Has>
+bool any_contact(const Scene& s, const Has& has) {
+  return has(s.contact) || std::any_of(s.contact.pair.begin(), s.contact.pair.end(), has);
+}
+
+bool may_tear(const Lattice& l) {
+  const std::vector<LatticeLink> links = links_of(l);
+  return std::any_of(links.begin(), links.end(), [](const LatticeLink& k) { return k.torn || k.strength < infinity; });
+}
+
+// Options of [model] for which the scene has no use.
+void judge_options(const Scene& s, bool rolls, Findings& found) {
+  const Model& m = s.model;
+  const Model defaults;
+  const bool slides = any_contact(s, [](const auto& c) { return Number(c.friction).value_or(0) > 0; });
+  const bool damped = any_contact(s, [](const auto& c) {
+    return c.damping_factor.value_or(0) > 0 || c.restitution.value_or(1) < 1 || c.tsuji_alpha.value_or(0) > 0 ||
+           c.damping.value_or(0) > 0;
+  });
+  const auto idle = [&](bool given, bool used, const char* path, const char* why) {
+    if (given && !used) found.warning(path, std::string("has no effect: ") + why);
+  };
+  constexpr const char* smooth = "nothing has friction";
+  idle(m.moment_arm != defaults.moment_arm, slides, "model.moment_arm", smooth);
+  idle(m.after_slip != defaults.after_slip, slides, "model.after_slip", smooth);
+  idle(m.law == ForceLaw::rescaled_mindlin, slides, "model.law", smooth);
+  idle(!m.slip_damping, slides && damped, "model.slip_damping", slides ? "nothing is damped" : smooth);
+  idle(any_contact(s, [](const auto& c) { return c.tangential_damping.has_value(); }), slides,
+       "contact.tangential_damping", smooth);
+  idle(m.rolling == Rolling::spring, rolls, "model.rolling", "nothing has rolling friction");
+  idle(m.pull, damped, "model.pull", "nothing is damped");
+  idle(m.tight_plates.value_or(false), !s.plate.empty(), "model.tight_plates", "there is no plate");
+  if (m.new_faces.value_or(false))
+    idle(true, std::any_of(s.lattice.begin(), s.lattice.end(), may_tear), "model.new_faces", "no lattice can tear");
+  for (std::size_t k = 0; k < s.plate.size(); ++k)
+    if (s.plate[k].ramp > 0 && s.plate[k].velocity == Vec2{})
+      found.warning(item("plate", k) + ".ramp", "has no effect: the velocity is 0");
+}
+
 void judge_keys(const Scene& s, Findings& found) {
   const Scene defaults;
   double discs = static_cast<double>(s.disc.size());
@@ -44,13 +86,14 @@ void judge_keys(const Scene& s, Findings& found) {
   idle(s.search.cell_size > 0, !searched, "search.cell_size", "time.solver is reference");
   idle(s.search.skin > 0, !searched, "search.skin", "time.solver is reference");
   idle(s.search.threads > 1, !searched, "search.threads", "time.solver is reference");
-  bool rolls = s.contact.rolling_friction > 0;
-  for (const ContactPair& p : s.contact.pair) rolls = rolls || p.rolling_friction.value_or(0) > 0;
+  const bool rolls = any_contact(s, [](const auto& c) { return Number(c.rolling_friction).value_or(0) > 0; });
   idle(s.model.rolling_smoothing != defaults.model.rolling_smoothing, !rolls, "model.rolling_smoothing",
        "nothing has rolling friction");
   idle(s.model.rolling_smoothing != defaults.model.rolling_smoothing, rolls && s.model.rolling != Rolling::smoothed,
        "model.rolling_smoothing", "model.rolling is not smoothed");
   idle(s.output.angles, discs == 0, "output.angles", "there are no discs");
+  idle(s.output.checkpoint.value_or(0) > s.time.end, true, "output.checkpoint", "it is longer than the run");
+  judge_options(s, rolls, found);
   judge_contact("contact", s.contact, s.model, found);
   for (std::size_t i = 0; i < s.contact.pair.size(); ++i)
     judge_contact(item("contact.pair", i), s.contact.pair[i], s.model, found);
@@ -85,13 +128,28 @@ void judge_drives(const std::string& path, const Lattice& l, Findings& found) {
       found.warning(path + '.' + item("drive", k) + ".ramp", "has no effect: the velocity is 0");
 }
 
+void judge_nodes(const std::string& path, const Lattice& l, Findings& found) {
+  for (std::size_t k = 0; k < l.node.size(); ++k) {
+    const NodeSetting& n = l.node[k];
+    if (n.displacement == Vec2{} && n.velocity == Vec2{} && n.force == Vec2{} && !n.fixed_x && !n.fixed_y)
+      found.warning(path + '.' + item("node", k), "has no effect: it changes nothing");
+  }
+}
+
 void judge_links(const std::string& path, const Lattice& l, Findings& found) {
   if (l.link.empty()) return;
   const std::vector<LatticeLink> links = links_of(l);
   for (std::size_t k = 0; k < l.link.size(); ++k) {
     const auto chosen = [&](const LatticeLink& link) { return chooses(l.link[k], l, link); };
+    const LinkSetting& s = l.link[k];
+    const std::string where = path + '.' + item("link", k);
+    const bool other = s.stiffness || s.damping || s.strength || s.stiffness_factor != 1 || s.strength_factor != 1;
     if (std::none_of(links.begin(), links.end(), chosen))
-      found.warning(path + '.' + item("link", k), "has no effect: it chooses no link");
+      found.warning(where, "has no effect: it chooses no link");
+    else if (!other && !s.torn)
+      found.warning(where, "has no effect: it changes nothing of the links that it chooses");
+    else if (other && s.torn)
+      found.warning(where, "its links are torn: their stiffness, damping and strength have no effect");
   }
 }
 
@@ -107,6 +165,7 @@ void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Fi
   if (acts(l.shear) && strand) found.warning(path + ".shear", "makes no links: there is one row or one column");
   if (acts(l.structural) && l.rows * l.columns == 1) found.warning(path + ".structural", "makes no links of one node");
   if (!strand) judge_mechanism(path, l, found);
+  judge_nodes(path, l, found);
   judge_links(path, l, found);
   judge_drives(path, l, found);
   for (const auto& [kind, k] :

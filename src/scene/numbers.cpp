@@ -88,6 +88,7 @@ class NumberJudge {
                                       {".tangential_damping", given.tangential_damping},
                                       {".normal_stiffness", given.normal_stiffness},
                                       {".tangential_stiffness", given.tangential_stiffness},
+                                      {".rolling_friction", std::optional<double>(given.rolling_friction)},
                                       {".rolling_stiffness", given.rolling_stiffness},
                                       {".rolling_damping", given.rolling_damping}})
       if (factor && !std::isfinite(4 * *factor * *factor)) found_.error(path + key, wrong("its square", INFINITY));

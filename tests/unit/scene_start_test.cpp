@@ -168,6 +168,40 @@ TEST(SceneSizes, AreBoundedBeforeWorkBegins) {
             Lines{"time.relative_tolerance: 1e-17 is outside 1e-14 <= relative_tolerance <= 0.1"});
 }
 
+TEST(SceneEffects, OptionsOfTheModelThatNothingUsesAreSaid) {
+  const auto first = [](const std::function<void(Scene&)>& change) {
+    const Lines all = warnings([&](Scene& s) {
+      s.contact = {};
+      s.lattice = {};
+      change(s);
+    });
+    return all.empty() ? std::string() : all.front();
+  };
+  const std::string smooth = ": has no effect: nothing has friction";
+  EXPECT_EQ(first([](Scene& s) { s.model.moment_arm = MomentArm::radius; }), "model.moment_arm" + smooth);
+  EXPECT_EQ(first([](Scene& s) { s.model.after_slip = AfterSlip::less_viscous; }), "model.after_slip" + smooth);
+  EXPECT_EQ(first([](Scene& s) { s.model.law = ForceLaw::rescaled_mindlin; }), "model.law" + smooth);
+  EXPECT_EQ(first([](Scene& s) { s.model.slip_damping = false; }), "model.slip_damping" + smooth);
+  EXPECT_EQ(first([](Scene& s) { s.model.slip_damping = false, s.contact.friction = 0.5; }),
+            "model.slip_damping: has no effect: nothing is damped");
+  EXPECT_EQ(first([](Scene& s) { s.model.rolling = Rolling::spring; }),
+            "model.rolling: has no effect: nothing has rolling friction");
+  EXPECT_EQ(first([](Scene& s) { s.model.pull = true; }), "model.pull: has no effect: nothing is damped");
+  EXPECT_EQ(first([](Scene& s) { s.model.tight_plates = true; }),
+            "model.tight_plates: has no effect: there is no plate");
+  EXPECT_EQ(first([](Scene& s) { s.model.new_faces = true; }), "model.new_faces: has no effect: no lattice can tear");
+  EXPECT_EQ(first([](Scene& s) { s.contact.damping = 1, s.contact.tangential_damping = 2; }),
+            "contact.tangential_damping" + smooth);
+  EXPECT_EQ(first([](Scene& s) { s.output.checkpoint = 2 * s.time.end; }),
+            "output.checkpoint: has no effect: it is longer than the run");
+  EXPECT_EQ(first([](Scene& s) { s.plate = {plate(5, 0.3)}, s.plate[0].velocity = {}, s.plate[0].ramp = 0.1; }),
+            "plate[0].ramp: has no effect: the velocity is 0");
+  EXPECT_EQ(first([](Scene& s) {
+              s.contact.friction = 0.5, s.contact.damping = 1, s.model.after_slip = AfterSlip::less_viscous;
+            }),
+            "");
+}
+
 TEST(SceneEffects, AreMissedByWordWhatIsGivenForNothing) {
   EXPECT_EQ(warnings([](Scene& s) { s.model.disc_mass = DiscMass::sphere, s.model.disc_depth = 0.2; }),
             Lines{"model.disc_depth: has no effect: the masses are those of spheres"});
