@@ -19,6 +19,7 @@
 #include "scene/findings.h"
 #include "scene/grid.h"
 #include "scene/lattice_parts.h"
+#include "scene/paths.h"
 #include "scene/unit_vector.h"
 #include "scene/wording.h"
 
@@ -290,6 +291,7 @@ void judge_start(const Scene& scene, Findings& found) {
   for (const char* list : {"disc", "wall", "plate", "lattice"})
     if (!found.known(list)) return;
   StartJudge(scene, found).judge();
+  judge_paths(scene, found);
 }
 
 }  // namespace furrow
