@@ -11,7 +11,6 @@
 #include <concepts>
 #include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <memory>
 #include <system_error>
 #include <type_traits>
@@ -23,6 +22,9 @@
 #include "scene/wording.h"
 
 namespace furrow {
+namespace {
+constexpr std::size_t most_bytes_of_a_file = std::size_t{1} << 28;  // three million discs take less
+}
 
 // What the reader of a file writes to, beside the scene.
 class FileReader {
@@ -256,7 +258,13 @@ SceneFile SceneFile::read(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, ignored)) throw std::runtime_error(cannot + "it is a directory");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::runtime_error(cannot + std::generic_category().message(errno));
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  std::string text;
+  for (std::string part(1 << 20, '\0'); stream && text.size() <= most_bytes_of_a_file;) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part, 0, static_cast<std::size_t>(stream.gcount()));
+  }
+  if (text.size() > most_bytes_of_a_file)
+    throw std::runtime_error(cannot + "it has more than " + std::to_string(most_bytes_of_a_file) + " bytes");
   if (stream.bad()) throw std::runtime_error(cannot + "input error");
   return parse(text, file.string());
 }
