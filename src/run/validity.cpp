@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "kernel/wide.h"
 #include "methods/method.h"
 #include "run/crossing.h"
+#include "run/energy_floor.h"
 #include "run/stiffness.h"
 #include "scene/wording.h"
 
@@ -16,10 +16,6 @@ namespace {
 constexpr long balance_every = 200, borders_every = 50;  // steps, at the energy and at what crosses
 constexpr double renew_beyond = 1.1;                     // times what was there when it was looked at last
 constexpr double judge_beyond = 1.25;                    // times the rate that the step was judged by
-constexpr double round_off = 1e-10;                      // of the sum of all energies: below, a residual is none;
-constexpr double first_touch = 1e-6;  // the same, of m v^2 / 2 of the lightest body at the greatest speed;
-// the same, of k d^2 / 2 of all links stretched by so many roundings d of their places, summed over a long run
-constexpr double places_round_off = 4096;
 
 struct Rule {
   WatchKind kind;
@@ -106,38 +102,13 @@ std::string allowance(const std::string& method, const StiffPart& part, double l
   return text.str();
 }
 
-double sum_of(const Energies& e) {
-  return e.live() + std::fabs(e.gravity) + std::fabs(e.load) + e.lost() + std::fabs(e.plate_work) +
-         std::fabs(e.stiffening);
-}
-
-// What of driven nodes and links the watches need.
-struct Lattices {
-  double drive_speed = 0;  // m/s, of the fastest driven nodes
-  double stiffness = 0;    // N/m, of all links
-  double farthest = 0;     // m, the greatest coordinate of a node at the start
-
-  void add(const Parts& parts) {
-    for (const DrivePart& d : parts.drive) drive_speed = std::max(drive_speed, std::hypot(d.vx, d.vy));
-    for (const double k : parts.link.stiffness) stiffness += k;
-    for (const auto* places : {&parts.node.x, &parts.node.y})
-      for (const double place : *places) farthest = std::max(farthest, std::fabs(place));
-  }
-
-  // J: of all links, stretched by the rounding of places.
-  double round_off(double t) const {
-    const double stretch = places_round_off * std::numeric_limits<double>::epsilon() * (farthest + drive_speed * t);
-    return 0.5 * stiffness * stretch * stretch;
-  }
-};
-
 }  // namespace
 
 struct Validity::Stiffest {
   StiffPart part{{0, 0}, {}};
   double time = 0;         // s
   double judged_rate = 0;  // 1/s
-  Lattices lattices;
+  EnergyFloor floor;
 };
 
 Validity::~Validity() { system_.watch(false); }
@@ -160,9 +131,7 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
   const Parts& parts = system.parts();
   extremes_.plate.resize(parts.plate.size());
   for (const PlatePart& p : parts.plate) plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
-  stiffest_->lattices.add(parts);
-  for (const double mass : parts.disc.mass) lightest_ = std::min(lightest_, mass);
-  for (const double mass : parts.node.mass) lightest_ = std::min(lightest_, mass);
+  stiffest_->floor.add(parts);
 }
 
 void Validity::history(HistoryVisitor& visit) {
@@ -232,7 +201,7 @@ void Validity::look_at_speed(const Step& step) {
   const auto bodies = static_cast<std::size_t>(system_.parts().bodies());
   const Fastest most = fastest(step.before.data(), step.after.data(), bodies);
   // A disc that is closer to a border than it and the border may move in a step, or in the next one at twice the speed.
-  const double squared = std::max(most.squared, stiffest_->lattices.drive_speed * stiffest_->lattices.drive_speed);
+  const double squared = std::max(most.squared, stiffest_->floor.drive_speed * stiffest_->floor.drive_speed);
   system_.survey().reach = 4 * std::sqrt(std::max(most.moved_squared, squared * step_ * step_));
   if (!(most.squared > extremes_.speed * extremes_.speed)) return;
   extremes_.speed = std::sqrt(most.squared);
@@ -299,7 +268,7 @@ void Validity::conclude() {
 }
 
 void Validity::look_at_arrival(double t) {
-  const double speed = extremes_.speed + std::max(plate_speed_, stiffest_->lattices.drive_speed);
+  const double speed = extremes_.speed + std::max(plate_speed_, stiffest_->floor.drive_speed);
   if (!(speed > renew_beyond * arrival_speed_)) return;
   arrival_speed_ = speed;
   Sentence where;
@@ -316,9 +285,7 @@ void Validity::book(double t, const Observation& seen) {
   // What plates will do in the step in which they touch the method cannot know yet.
   supplied_ = std::max(supplied_, e.supplied(start_) + plate_power_ * step_);
   const double residual = e.residual(start_);
-  const double speed = extremes_.speed + plate_speed_;
-  const double nothing = std::max(
-      {round_off * sum_of(e), first_touch * 0.5 * lightest_ * speed * speed, stiffest_->lattices.round_off(t)});
+  const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
   if (!(std::fabs(residual) > nothing) || !(supplied_ > 0)) return;
   look(residual > 0 ? WatchKind::energy_made : WatchKind::energy_lost, t, std::fabs(residual) / supplied_,
        [] { return std::string(); });

@@ -124,7 +124,6 @@ class Validity {
   std::string failure_;
   double step_;                 // s, the largest that the method takes
   double plate_speed_ = 0;      // m/s, of the fastest
-  double lightest_ = infinity;  // kg
   bool started_ = false;
   Energies start_;
   double supplied_ = 0;                                // J, the most so far
