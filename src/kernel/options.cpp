@@ -67,7 +67,7 @@ void evaluate_with_options(TouchBatch& c, const Parts& parts, bool returning) {
     put(f, c, k);
     c.approach[k] = t.approach;
     c.slip[k] = t.slip;
-    c.spring_rate[k] = spring_rate(law, t);
+    c.spring_rate[k] = spring_rate(law, t, f);
     c.turn_rate[k] = rolls ? t.spin : 0;
   }
 }

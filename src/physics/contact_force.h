@@ -24,8 +24,8 @@ inline TouchForce contact_force(const ContactLaw& law, const Touch& c, double ro
 }
 
 // m/s: xi'.
-inline double spring_rate(const ContactLaw& law, const Touch& c) {
-  return law.options.force == ForceLaw::rescaled_mindlin ? rescaled_rate(c) : c.slip;
+inline double spring_rate(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return law.options.force == ForceLaw::rescaled_mindlin ? rescaled_rate(law, c, f) : c.slip;
 }
 
 inline bool rolls_on_spring(const ContactLaw& law) { return law.options.rolling_spring && law.rolling > 0; }
@@ -33,7 +33,7 @@ inline bool rolls_on_spring(const ContactLaw& law) { return law.options.rolling_
 inline TouchPowers contact_powers(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   TouchPowers p = touch_powers(c, f);
   if (law.options.force == ForceLaw::linear) p.stiffening = 0;
-  if (law.options.force == ForceLaw::rescaled_mindlin) rescale(p);
+  if (law.options.force == ForceLaw::rescaled_mindlin) rescale(law, c, f, p);
   if (rolls_on_spring(law)) store_rolling(law, c, f, p);
   return p;
 }

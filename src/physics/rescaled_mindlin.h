@@ -6,12 +6,16 @@
 //
 // which in xi is, with St'/St = d'/(2 d),
 //
-//   xi' = vt - xi d'/(2 d)  while d' > 0
-//   xi' = vt                otherwise
+//   xi' = vt - xi* d'/(2 d)  while d' > 0,  xi* = xi within |xi*| <= mu Fn/St
+//   xi' = vt                 otherwise
+//
+// Within a step xi may be beyond what friction holds, and d as small as round-off: xi d'/(2 d) has no bound there, but
+// mu Fn/St goes to zero with d. What is beyond it is taken away after the step, see contact.h.
 //
 // Where Mindlin's spring without rescaling is supplied with energy as it stiffens (an impact that sticks then returns
 // up to 1.04 times the slip speed for nu < 1/4), this one never is: it loses 1/4 St xi^2 |d'|/d, booked as friction,
-// since it stands for slip at the edge of the contact.
+// since it stands for slip at the edge of the contact. Of a spring beyond its limit that is 1/4 St xi (2 xi* - xi) d'/d
+// while d grows.
 //
 // Source: Thornton, Cummins and Cleary 2013 (Powder Technol. 233, 30), their simplest model.
 #pragma once
@@ -22,15 +26,22 @@
 
 namespace furrow {
 
+inline bool loads(const Touch& c) { return c.approach > 0 && c.overlap > 0; }
+
+// m: xi*.
+inline double held_spring(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return returned_spring(coulomb_limit(law, f), f, c.spring);
+}
+
 // m/s: xi' at a slip speed vt.
-inline double rescaled_rate(const Touch& c) {
-  if (!(c.approach > 0) || !(c.overlap > 0)) return c.slip;
-  return c.slip - c.spring * c.approach / (2 * c.overlap);
+inline double rescaled_rate(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return loads(c) ? c.slip - held_spring(law, c, f) * c.approach / (2 * c.overlap) : c.slip;
 }
 
 // Of the powers of Mindlin's spring: what supplied it there is lost here, whichever way d changes.
-inline void rescale(TouchPowers& p) {
-  p.sliding += std::fabs(p.stiffening);
+inline void rescale(const ContactLaw& law, const Touch& c, const TouchForce& f, TouchPowers& p) {
+  const double spring = loads(c) ? 2 * held_spring(law, c, f) - c.spring : -c.spring;
+  p.sliding += c.overlap > 0 ? 0.25 * f.shear_stiffness * c.spring * spring * c.approach / c.overlap : 0;
   p.stiffening = 0;
 }
 

@@ -166,7 +166,7 @@ void flow(const Moment& now, State& rates) {
   accelerate(now, sums, rates);
   for (const Contact& c : touching) {
     if (c.slot < 0) continue;
-    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch);             // xi' = vt
+    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi' = vt
     if (rolls_on_spring(parts.law[c.law])) rates[at.turn_of(c.slot)] = c.touch.spin;  // theta' = w
   }
   for (const DiscreteState::Held& held : now.discrete.held) {

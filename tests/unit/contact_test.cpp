@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "physics/damping.h"
+#include "physics/contact_force.h"
 
 namespace furrow {
 namespace {
@@ -206,6 +206,45 @@ TEST(DampingFactor, GivesTheRestitutionBack) {
   for (const double e : {0.05, 0.3, 0.7, 0.95}) {
     const double beta = damping_factor(e);
     EXPECT_NEAR(std::exp(-3.14159265358979323846 * beta / std::sqrt(1 - beta * beta)), e, 1e-13);
+  }
+}
+
+// xi* = mu Fn/St = mu E* d/(6 G*) without damping, so that xi* d'/(2 d) has no d in it.
+TEST(RescaledMindlin, ASpringBeyondItsLimitHasABoundedRateHoweverSmallTheOverlap) {
+  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0, false);
+  law.options.force = ForceLaw::rescaled_mindlin;
+  for (const double overlap : {1e-6, 1e-12, 1e-18}) {
+    for (const double spring : {1e-4, -1e-4}) {
+      Touch c = touch();
+      c.overlap = overlap;
+      c.spring = spring;
+      c.approach = 0.1;
+      c.slip = 0.3;
+      const double most = 0.5 * law.modulus * 0.1 / (12 * law.shear_modulus);
+      expect_close(spring_rate(law, c, contact_force(law, c, 1)), 0.3 - (spring > 0 ? most : -most));
+      c.approach = -0.1;
+      EXPECT_EQ(spring_rate(law, c, contact_force(law, c, 1)), 0.3);
+    }
+  }
+}
+
+// What the spring stores, by its own rate and by that of St, and what is lost are what its force was given.
+TEST(RescaledMindlin, LosesWhatItDoesNotStoreWithinItsLimitAndBeyond) {
+  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0, false);
+  law.options.force = ForceLaw::rescaled_mindlin;
+  for (const double spring : {1e-6, -1e-6, 1e-4, -1e-4}) {  // the limit is 2.8e-5 m
+    for (const double approach : {0.1, -0.1}) {
+      Touch c = touch();
+      c.spring = spring;
+      c.approach = approach;
+      c.slip = 0;
+      const TouchForce f = contact_force(law, c, 1);
+      const double stores = f.shear_stiffness * spring * spring_rate(law, c, f) +
+                            0.25 * f.shear_stiffness * spring * spring * approach / c.overlap;
+      const TouchPowers p = contact_powers(law, c, f);
+      EXPECT_EQ(p.stiffening, 0);
+      expect_close(p.sliding + p.sticking, -stores);
+    }
   }
 }
 
