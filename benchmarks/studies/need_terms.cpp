@@ -24,6 +24,11 @@ bool has_links(const Scene& scene, LinkKind Lattice::*kind) {
 bool has_bed(const Scene& scene) { return !scene.packing.empty(); }
 bool has_discs(const Scene& scene) { return has_bed(scene) || !scene.disc.empty(); }
 
+// Whether some contact slides: its law is chosen by the scene.
+bool rubs(const Scene& scene) {
+  return scene.contact.friction > 0 && (has_discs(scene) || !scene.plate.empty() || !scene.wall.empty());
+}
+
 std::function<Scene()> scene_of_case(const std::string& name) {
   return std::find_if(cases().begin(), cases().end(), [&](const CaseInfo& c) { return c.name == name; })->scene;
 }
@@ -62,6 +67,22 @@ const std::vector<Term>& terms() {
        [](Scene& s) {
          for (Lattice& l : s.lattice) l.auxiliary_points = 0;
        }},
+      {"tight plates (the nearest face instead)", [](const Scene& s) { return s.model.tight_plates.value_or(false); },
+       [](Scene& s) { s.model.tight_plates = false; }},
+      {"new faces of a torn lattice", [](const Scene& s) { return s.model.new_faces.value_or(false); },
+       [](Scene& s) { s.model.new_faces = false; }},
+      {"damping of the tangential force", [](const Scene& s) { return rubs(s) && s.model.slip_damping; },
+       [](Scene& s) { s.model.slip_damping = false; }},
+      {"what a spring holds after slip (the limit less the damper's force instead)", rubs,
+       [](Scene& s) { s.model.after_slip = AfterSlip::less_viscous; }},
+      {"unloading at a constant spring (Thornton's rescaling instead)", rubs,
+       [](Scene& s) { s.model.law = ForceLaw::rescaled_mindlin; }},
+      {"moment arm to the contact point (the whole radius instead)",
+       [](const Scene& s) { return rubs(s) && has_discs(s); },
+       [](Scene& s) { s.model.moment_arm = MomentArm::radius; }},
+      {"rolling friction that fades with the spin (a rolling spring instead)",
+       [](const Scene& s) { return has_discs(s) && s.contact.rolling_friction > 0; },
+       [](Scene& s) { s.model.rolling = Rolling::spring; }},
       {"gravity", [](const Scene& s) { return !has_bed(s) && s.model.gravity > 0; },
        [](Scene& s) { s.model.gravity = 0; }},
       {"energy ledger", [](const Scene& s) { return s.output.energy; }, [](Scene& s) { s.output.energy = false; }},
