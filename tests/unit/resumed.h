@@ -56,12 +56,14 @@ struct Running {
   }
 };
 
-// Positions, velocities, spins, springs, the ledger and the time, but for slots that nothing holds: so they are the
+// Positions, velocities, spins, springs, the ledger, angles and the time, but for slots that nothing holds: so they are the
 // same however much room there is.
 inline std::vector<std::uint64_t> bits_of(const System& system, double t, const State& y) {
   std::vector<std::uint64_t> bits{std::bit_cast<std::uint64_t>(t), system.state_hash(y)};
   for (int k = 0; system.keeps_ledger() && k < ledger_entries; ++k)
     bits.push_back(std::bit_cast<std::uint64_t>(y[system.ledger_of(static_cast<Ledger>(k))]));
+  for (int disc = 0; disc < system.layout().angles; ++disc)
+    bits.push_back(std::bit_cast<std::uint64_t>(y[system.layout().angle_of(disc)]));
   return bits;
 }
 
