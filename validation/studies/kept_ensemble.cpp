@@ -9,15 +9,18 @@
 namespace furrow::validation {
 namespace {
 
-bool says_a_number_or_words(const Json& value) {
-  return value.is_string() || (value.is_number() && std::isfinite(value.get<double>()));
+bool says_a_number(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
+
+bool says_something(const Json& value) {
+  if (value.is_array()) return !value.empty() && std::all_of(value.begin(), value.end(), says_a_number);
+  return value.is_string() || says_a_number(value);
 }
 
 // A member says why it failed, or its mean force and, if it has a bed, the height of that.
 std::string unusable_member(const Member& member, const Json& says) {
   if (!says.is_object() || says.empty()) return "says nothing";
   for (const auto& [id, value] : says.items()) {
-    if (!says_a_number_or_words(value)) return id + " is neither a finite number nor words";
+    if (!says_something(value)) return id + " is neither finite numbers nor words";
   }
   if (says.contains("failed")) return {};
   if (!says.value("mean_force", Json()).is_number()) return "has no mean force";
