@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
@@ -33,6 +34,20 @@ int made(const fs::path& file) {
   return descriptor;
 }
 
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw FileError("cannot write " + file.string() + ": " + why);
+}
+
+fs::file_type type_of(const fs::path& file) {
+  std::error_code failed;
+  return fs::symlink_status(file, failed).type();
+}
+
+int made_for(const fs::path& file) {
+  if (type_of(file) != fs::file_type::not_found) refuse(file, "it is there already");
+  return made(partial_of(file));
+}
+
 int made_beside(std::string& pattern) {
   const int descriptor = mkostemp(pattern.data(), O_CLOEXEC);
   if (descriptor < 0) fail("cannot write ", pattern, errno);
@@ -42,20 +57,46 @@ int made_beside(std::string& pattern) {
   return descriptor;
 }
 
-// The file cut to so many bytes, to go on at its end.
-int reopened_at(const fs::path& file, std::uint64_t bytes) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) fail("cannot go on with ", file, errno);
+// Of the first bytes of a file.
+Fnv1a hash_of_bytes(int descriptor, std::uint64_t bytes) {
+  Fnv1a hash;
+  std::string part(most_in_memory, '\0');
+  while (bytes > 0) {
+    const ssize_t n = read(descriptor, part.data(), std::min<std::uint64_t>(part.size(), bytes));
+    if (n <= 0) break;
+    hash.add(std::string_view(part).substr(0, static_cast<std::size_t>(n)));
+    bytes -= static_cast<std::uint64_t>(n);
+  }
+  return hash;
+}
+
+// The file, positioned after the bytes of the mark, which are still what they were.
+int opened_at(const fs::path& file, int flags, const FileMark& mark, Fnv1a& hash) {
+  const std::string cannot = "cannot go on with " + file.string() + ": ";
+  const int descriptor = open(file.c_str(), flags | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) throw FileError(cannot + std::strerror(errno));
+  const auto refuse = [&](const std::string& why) {
+    close(descriptor);
+    throw FileError(cannot + why);
+  };
   const off_t end = lseek(descriptor, 0, SEEK_END);
-  const bool is_long_enough = end >= 0 && static_cast<std::uint64_t>(end) >= bytes;
-  const auto length = static_cast<off_t>(bytes);
-  if (is_long_enough && ftruncate(descriptor, length) == 0 && lseek(descriptor, 0, SEEK_END) == length)
-    return descriptor;
+  const std::string bytes = std::to_string(mark.bytes) + " bytes";
+  if (end < 0 || static_cast<std::uint64_t>(end) < mark.bytes)
+    refuse("it has " + std::to_string(end) + " bytes, not " + bytes);
+  lseek(descriptor, 0, SEEK_SET);
+  hash = hash_of_bytes(descriptor, mark.bytes);
+  if (hash.value() != mark.hash) refuse("its first " + bytes + " are not those that the run wrote");
+  return descriptor;
+}
+
+// The file cut to the bytes of the mark, to go on at its end.
+int reopened_at(const fs::path& file, const FileMark& mark, Fnv1a& hash) {
+  const int descriptor = opened_at(file, O_RDWR, mark, hash);
+  const auto length = static_cast<off_t>(mark.bytes);
+  if (ftruncate(descriptor, length) == 0 && lseek(descriptor, 0, SEEK_END) == length) return descriptor;
   const int error = errno;
   close(descriptor);
-  if (is_long_enough) fail("cannot go on with ", file, error);
-  throw FileError("cannot go on with " + file.string() + ": it has " + std::to_string(end) + " bytes, not " +
-                  std::to_string(bytes));
+  fail("cannot go on with ", file, error);
 }
 
 // Some file systems cannot rename without replacing.
@@ -68,10 +109,7 @@ bool renamed_to_free_name(const fs::path& from, const fs::path& to) {
   return is_free && rename(from.c_str(), to.c_str()) == 0;
 }
 
-bool is_regular(const fs::path& file) {
-  std::error_code failed;
-  return fs::is_regular_file(fs::symlink_status(file, failed));
-}
+bool is_regular(const fs::path& file) { return type_of(file) == fs::file_type::regular; }
 
 }  // namespace
 
@@ -84,21 +122,25 @@ std::string csv_cell(std::string_view text) {
 
 int files_being_written() { return being_written; }
 
-OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, bool replaces, std::uint64_t bytes)
+OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, bool replaces, std::uint64_t bytes, Fnv1a hash)
     : file_(std::move(file)),
       partial_(std::move(partial)),
       written_(bytes),
+      hash_(hash),
       descriptor_(descriptor),
       replaces_(replaces) {
   ++being_written;
 }
 
 OutputFile::OutputFile(const fs::path& file, std::string_view headings)
-    : OutputFile(file, partial_of(file), made(partial_of(file)), false) {
+    : OutputFile(file, partial_of(file), made_for(file), false) {
   if (!headings.empty()) *this << headings << "\n";
 }
 
 OutputFile OutputFile::replacing(const fs::path& file) {
+  const fs::file_type there = type_of(file);
+  if (there != fs::file_type::not_found && there != fs::file_type::regular)
+    refuse(file, there == fs::file_type::directory ? "it is a directory" : "it is no regular file");
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = made_beside(partial);
   return {file, partial, descriptor, true};
@@ -110,10 +152,18 @@ OutputFile OutputFile::rewriting(const fs::path& file) {
   return {file, partial, made(partial), true};
 }
 
-OutputFile OutputFile::reopened(const fs::path& file, std::uint64_t bytes) {
+void OutputFile::require(const fs::path& file, const FileMark& mark) {
+  const fs::path partial = partial_of(file);
+  Fnv1a hash;
+  ::close(opened_at(is_regular(partial) || !is_regular(file) ? partial : file, O_RDONLY, mark, hash));
+}
+
+OutputFile OutputFile::reopened(const fs::path& file, const FileMark& mark) {
   const fs::path partial = partial_of(file);
   if (!is_regular(partial) && is_regular(file)) fs::rename(file, partial);
-  return {file, partial, reopened_at(partial, bytes), false, bytes};
+  Fnv1a hash;
+  const int descriptor = reopened_at(partial, mark, hash);
+  return {file, partial, descriptor, false, mark.bytes, hash};
 }
 
 OutputFile::~OutputFile() {
@@ -125,6 +175,7 @@ OutputFile::~OutputFile() {
 
 OutputFile& OutputFile::operator<<(std::string_view text) {
   buffer_ += text;
+  hash_.add(text);
   if (buffer_.size() >= most_in_memory) flush();
   return *this;
 }

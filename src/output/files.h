@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "scene/hash.h"
 #include "scene/wording.h"
+#include "system/history.h"
 
 namespace furrow {
 
@@ -22,25 +24,38 @@ inline std::string number(double value) { return shortest(value); }
 std::string csv_cell(std::string_view text);
 
 // Every member that writes throws FileError at the write that fails, for example on a full disk.
+// How far a file has come: what was written so far, to be known again.
+struct FileMark {
+  std::uint64_t bytes = 0;
+  std::uint64_t hash = Fnv1a().value();  // of these bytes
+  void history(HistoryVisitor& visit, const std::string& name) {
+    visit("bytes of " + name, bytes);
+    visit("hash of " + name, hash);
+  }
+};
+
 class OutputFile {
  public:
   // Makes `file`.partial, to begin with a line of headings if there are any. Nothing may stand there, and nothing may
-  // stand where finish() puts the file.
+  // stand where finish() puts the file: neither now nor then.
   explicit OutputFile(const std::filesystem::path& file, std::string_view headings = {});
 
-  // Takes the place of a regular file when it is finished; until then it has a name of its own.
+  // Takes the place of a regular file when it is finished; until then it has a name of its own. Nothing else is replaced.
   static OutputFile replacing(const std::filesystem::path& file);
 
   // Takes the place of the owner's own file, in a directory that is its own: what a killed owner left of `file`.partial
   // is removed.
   static OutputFile rewriting(const std::filesystem::path& file);
 
-  // Goes on with `file`.partial, or with the finished file, as it was when it had so many bytes.
-  static OutputFile reopened(const std::filesystem::path& file, std::uint64_t bytes);
+  // Goes on with `file`.partial, or with the finished file, as it was at the mark. Its bytes must still be those.
+  static OutputFile reopened(const std::filesystem::path& file, const FileMark& mark);
 
-  // A new one with its headings, or reopened as it was when it had so many bytes.
-  static OutputFile begun(const std::filesystem::path& file, std::string_view headings, const std::uint64_t* bytes) {
-    if (bytes) return reopened(file, *bytes);
+  // Throws FileError unless it could be reopened at the mark; changes nothing.
+  static void require(const std::filesystem::path& file, const FileMark& mark);
+
+  // A new one with its headings, or reopened as it was at the mark.
+  static OutputFile begun(const std::filesystem::path& file, std::string_view headings, const FileMark* mark) {
+    if (mark) return reopened(file, *mark);
     return OutputFile(file, headings);
   }
 
@@ -64,7 +79,7 @@ class OutputFile {
   void flush();
 
   // Of the file so far, with what flush() is still to hand over.
-  std::uint64_t bytes() const { return written_ + buffer_.size(); }
+  FileMark mark() const { return {written_ + buffer_.size(), hash_.value()}; }
 
   // Closes the file as it is and keeps the ending .partial.
   void close();
@@ -74,7 +89,7 @@ class OutputFile {
 
  private:
   OutputFile(std::filesystem::path file, std::filesystem::path partial, int descriptor, bool replaces,
-             std::uint64_t bytes = 0);
+             std::uint64_t bytes = 0, Fnv1a hash = {});
   void cell(std::string_view text) { *this << csv_cell(text); }
   void cell(double value) { *this << value; }
   void cell(int value) { *this << value; }
@@ -82,6 +97,7 @@ class OutputFile {
   std::filesystem::path file_, partial_;
   std::string buffer_;
   std::uint64_t written_ = 0;
+  Fnv1a hash_;
   int descriptor_;
   bool replaces_;
 };

@@ -160,17 +160,16 @@ Table plates_of(const System& system, double t) {
 
 void Frames::Memory::history(HistoryVisitor& visit) {
   visit("frames", count);
-  visit("bytes of frames.csv", list_bytes);
-  visit("bytes of run.pvd", pvd_bytes);
+  list.history(visit, "frames.csv");
+  pvd.history(visit, "run.pvd");
 }
 
 Frames::Frames(const std::filesystem::path& directory, const Memory* kept)
     : directory_(directory / "frames"),
-      list_(OutputFile::begun(directory_ / "frames.csv", "index,t [s],displacement [m]",
-                              kept ? &kept->list_bytes : nullptr)),
+      list_(OutputFile::begun(directory_ / "frames.csv", "index,t [s],displacement [m]", kept ? &kept->list : nullptr)),
       pvd_(OutputFile::begun(directory / "run.pvd",
                              "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>",
-                             kept ? &kept->pvd_bytes : nullptr)),
+                             kept ? &kept->pvd : nullptr)),
       count_(kept ? kept->count : 0) {}
 
 void Frames::add(const System& system, double t, double displacement, const State& y) {

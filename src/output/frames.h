@@ -12,14 +12,14 @@ class Frames {
   // How far the lists have come.
   struct Memory {
     std::size_t count = 0;
-    std::uint64_t list_bytes = 0, pvd_bytes = 0;
+    FileMark list, pvd;
     void history(HistoryVisitor& visit);
   };
 
   // Writes run.pvd into `directory`, all else into `directory` / frames, which must exist.
   // Goes on after what was kept, if there is anything.
   Frames(const std::filesystem::path& directory, const Memory* kept);
-  Memory memory() const { return {count_, list_.bytes(), pvd_.bytes()}; }
+  Memory memory() const { return {count_, list_.mark(), pvd_.mark()}; }
 
   // displacement: of the first plate, m; 0 without a plate.
   void add(const System& system, double t, double displacement, const State& y);

@@ -119,6 +119,7 @@ SavedRun::SavedRun(const std::filesystem::path& directory, const Scene& asked)
     refuse("it has come to " + shortest(time_) + " s, and should end at " + shortest(asked.time.end) +
            " s: what is there would have to be taken back");
   file_.read(series_of(series_));
+  series_.require(directory, asked);
 }
 
 Prepared SavedRun::prepared() const {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "methods/method.h"
 #include "output/machine.h"
@@ -30,15 +33,27 @@ bool drives_nodes(const Scene& scene) {
 }
 
 void SeriesMemory::history(HistoryVisitor& visit) {
-  visit("bytes of plate_force.csv", force_bytes);
-  visit("bytes of drive_force.csv", drive_bytes);
-  visit("bytes of wall_force.csv", wall_bytes);
-  visit("bytes of energy.csv", energy_bytes);
-  visit("bytes of motion.csv", motion_bytes);
-  visit("bytes of events.csv", events_bytes);
+  force.history(visit, "plate_force.csv");
+  drive.history(visit, "drive_force.csv");
+  wall.history(visit, "wall_force.csv");
+  energy.history(visit, "energy.csv");
+  motion.history(visit, "motion.csv");
+  events.history(visit, "events.csv");
   frames.history(visit);
   visit("rows", rows);
   start.history(visit);
+}
+
+void SeriesMemory::require(const std::filesystem::path& directory, const Scene& scene) const {
+  const std::vector<std::pair<const char*, const FileMark*>> files{
+      {"plate_force.csv", &force}, {"wall_force.csv", &wall}, {"energy.csv", &energy},
+      {"motion.csv", &motion},     {"events.csv", &events},   {"frames/frames.csv", &frames.list},
+      {"run.pvd", &frames.pvd}};
+  for (const auto& [name, mark] : files) OutputFile::require(directory / name, *mark);
+  if (drives_nodes(scene)) OutputFile::require(directory / "drive_force.csv", drive);
+  for (const std::string& picture : Frames::files(frames.count))
+    if (!picture.ends_with("frames.csv") && picture != "run.pvd" && !std::filesystem::exists(directory / picture))
+      throw FileError("cannot go on with the run: there is no " + (directory / picture).string());
 }
 
 Series::Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity, const SeriesMemory* kept)
@@ -49,26 +64,26 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
       walls_(labels(scene.wall)),
       lattices_(labels(scene.lattice)),
       force_(OutputFile::begun(directory / "plate_force.csv", "t [s],plate,displacement [m],Fx [N],Fy [N],F [N]",
-                               kept ? &kept->force_bytes : nullptr)),
+                               kept ? &kept->force : nullptr)),
       wall_force_(OutputFile::begun(directory / "wall_force.csv", "t [s],wall,Fx [N],Fy [N],F [N]",
-                                    kept ? &kept->wall_bytes : nullptr)),
+                                    kept ? &kept->wall : nullptr)),
       energy_(OutputFile::begun(
           directory / "energy.csv",
           "t [s],kinetic [J],gravity [J],load [J],springs [J],contact elastic [J],link damping [J],"
           "contact viscous [J],friction [J],rolling [J],tear [J],plate work [J],stiffening [J],residual [J]",
-          kept ? &kept->energy_bytes : nullptr)),
+          kept ? &kept->energy : nullptr)),
       motion_(OutputFile::begun(
           directory / "motion.csv",
           "t [s],px [kg m/s],py [kg m/s],L [kg m^2/s],contacts,overlap [m],relative overlap [-],speed [m/s]",
-          kept ? &kept->motion_bytes : nullptr)),
+          kept ? &kept->motion : nullptr)),
       events_(OutputFile::begun(directory / "events.csv",
                                 "t [s],displacement [m],kind,lattice,row a,column a,row b,column b,fixed,force [N]",
-                                kept ? &kept->events_bytes : nullptr)),
+                                kept ? &kept->events : nullptr)),
       frames_(directory, kept ? &kept->frames : nullptr) {
   if (drives_nodes(scene))
     drive_.reset(new OutputFile(OutputFile::begun(  // NOLINT(modernize-make-unique): it cannot be moved
         directory / "drive_force.csv", "t [s],lattice,drive,displacement [m],Fx [N],Fy [N],F [N]",
-        kept ? &kept->drive_bytes : nullptr)));
+        kept ? &kept->drive : nullptr)));
   if (!kept) return;
   rows_ = kept->rows;
   start_ = kept->start;
@@ -77,12 +92,12 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
 
 SeriesMemory Series::memory() {
   flush();
-  return {force_.bytes(),
-          wall_force_.bytes(),
-          drive_ ? drive_->bytes() : 0,
-          energy_.bytes(),
-          motion_.bytes(),
-          events_.bytes(),
+  return {force_.mark(),
+          wall_force_.mark(),
+          drive_ ? drive_->mark() : FileMark(),
+          energy_.mark(),
+          motion_.mark(),
+          events_.mark(),
           frames_.memory(),
           rows_,
           start_};

@@ -21,11 +21,14 @@ bool drives_nodes(const Scene& scene);
 
 // How far a series has come.
 struct SeriesMemory {
-  std::uint64_t force_bytes = 0, wall_bytes = 0, drive_bytes = 0, energy_bytes = 0, motion_bytes = 0, events_bytes = 0;
+  FileMark force, wall, drive, energy, motion, events;
   Frames::Memory frames;
   long rows = 0;
   Energies start;
   void history(HistoryVisitor& visit);
+
+  // Throws FileError unless all that was written by then is still in the directory of the run.
+  void require(const std::filesystem::path& directory, const Scene& scene) const;
 };
 
 class Series {
@@ -46,7 +49,7 @@ class Series {
   // The next time at which something is due, for methods that choose their steps.
   double next_stop(double t) const;
 
-  // Puts all rows into the files, as bytes() of each promises.
+  // Puts all rows into the files, as mark() of each promises.
   void flush();
 
   // Those of a run that is not complete keep the ending .partial.

@@ -211,6 +211,23 @@ TEST_F(RefusedResume, FromACheckpointThatIsNotWhatWasWritten) {
   EXPECT_EQ(furrow("run lattice.toml --until 0.2 --resume here").code, 0) << text("stderr.txt");
 }
 
+// Of as many bytes as before, so that only their hash tells.
+TEST_F(RefusedResume, WhereARowThatWasWrittenIsAnotherNow) {
+  for (const char* name : {"energy.csv", "plate_force.csv"}) {
+    const std::string file = std::string("here/") + name, good = text(file);
+    std::string bad = good;
+    char& digit = bad[bad.find_first_of("123456789", bad.find('\n'))];
+    digit = digit == '1' ? '2' : '1';
+    put(file, bad);
+    before_ = bits("here");
+    expect_refused("lattice.toml --until 0.2 --resume here", 4, "bytes are not those that the run wrote");
+    put(file, good);
+  }
+  fs::remove(directory_ / "here/motion.csv");
+  before_ = bits("here");
+  expect_refused("lattice.toml --until 0.2 --resume here", 4, "motion.csv");
+}
+
 TEST_F(RefusedResume, WhileTheRunIsAlive) {
   Process run(directory_, "'" FURROW_PROGRAM "' run lattice.toml --dt 1e-7 --out alive >/dev/null 2>&1 </dev/null");
   ASSERT_TRUE(comes_true([&] { return has("alive/checkpoint"); }));

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "output/files.h"
 #include "tests/files.h"
@@ -94,24 +96,58 @@ TEST_F(OutputFiles, OfAFullDiskNothingIsLeftInPlaceOfTheOld) {
 }
 
 TEST_F(OutputFiles, GoesOnWhereItWas) {
-  std::uint64_t there = 0;
+  FileMark there;
   {
     OutputFile file(directory_ / "a.csv", "t [s]");
     file.row(0.5);
-    there = file.bytes();
+    there = file.mark();
     file.row(1.0);
     file.close();
   }
   {
     OutputFile file = OutputFile::reopened(directory_ / "a.csv", there);
-    EXPECT_EQ(file.bytes(), there);
+    EXPECT_EQ(file.mark().bytes, there.bytes);
+    EXPECT_EQ(file.mark().hash, there.hash);
     file.row(2.0);
     file.finish();
   }
   EXPECT_EQ(text_of(directory_ / "a.csv"), "t [s]\n0.5\n2\n");
   OutputFile::reopened(directory_ / "a.csv", there).finish();  // a finished one too
   EXPECT_EQ(text_of(directory_ / "a.csv"), "t [s]\n0.5\n");
-  EXPECT_THROW(OutputFile::reopened(directory_ / "a.csv", 1000), FileError);
+  EXPECT_THROW(OutputFile::reopened(directory_ / "a.csv", {1000, there.hash}), FileError);
+}
+
+TEST_F(OutputFiles, IsNotGoneOnWithWhereItsBeginningWasChanged) {
+  FileMark there;
+  {
+    OutputFile file(directory_ / "a.csv", "t [s],F [N]");
+    file.row(0.5, 238.0);
+    there = file.mark();
+    file.finish();
+  }
+  put("a.csv", "t [s],F [N]\n0.5,239\n");  // as long as before
+  EXPECT_THROW(OutputFile::reopened(directory_ / "a.csv", there), FileError);
+  EXPECT_EQ(text_of(directory_ / "a.csv.partial"), "t [s],F [N]\n0.5,239\n");
+}
+
+TEST_F(OutputFiles, LeaveNothingWhereSomethingElseStandsInTheirPlace) {
+  put("a.html", "mine");
+  EXPECT_THROW(OutputFile(directory_ / "a.html"), FileError);
+  EXPECT_FALSE(fs::exists(directory_ / "a.html.partial"));
+}
+
+// A device was replaced by a file once.
+TEST_F(OutputFiles, ReplaceRegularFilesAndNothingElse) {
+  put("precious", "mine");
+  fs::create_symlink("precious", directory_ / "link");
+  fs::create_directory(directory_ / "directory");
+  ASSERT_EQ(mkfifo((directory_ / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "directory", "pipe"}) {
+    const fs::file_type before = fs::symlink_status(directory_ / name).type();
+    EXPECT_THROW(replace_file(directory_ / name, "text"), FileError) << name;
+    EXPECT_EQ(fs::symlink_status(directory_ / name).type(), before) << name;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory_), {}), 4);
 }
 
 TEST_F(OutputFiles, WhatReplacesIsWholeOrNotThere) {
