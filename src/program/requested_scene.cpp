@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "methods/method.h"
@@ -28,6 +29,18 @@ Change change_of(const std::string& set) {
   return {"--set " + path, path, set.substr(equals + 1)};
 }
 
+// Of two that set one key, one would be dropped without a word.
+void refuse_twice(const std::vector<Change>& changes) {
+  std::map<std::string, std::string> said;
+  for (const Change& change : changes) {
+    const auto [first, fresh] = said.try_emplace(change.path, change.option);
+    if (fresh) continue;
+    const bool same = first->second == change.option;
+    throw std::invalid_argument(change.option + ": " + (same ? "given twice" : first->second + " sets it too") +
+                                "; give one of them");
+  }
+}
+
 std::vector<Change> changes_of(const RunOptions& o) {
   std::vector<Change> changes;
   const auto add = [&](const char* option, const char* path, const std::optional<std::string>& text) {
@@ -40,6 +53,9 @@ std::vector<Change> changes_of(const RunOptions& o) {
   add("--locate", "time.locate", o.locate);
   add("--threads", "search.threads", o.threads);
   add("--solver", "time.solver", o.solver);
+  if (o.frames) changes.push_back({"--frames", "output.frames", *o.frames});
+  refuse_twice(changes);
+  if (o.frames) changes.pop_back();  // they depend on the end, so they are set last
   return changes;
 }
 
@@ -62,6 +78,7 @@ void set_frames(const std::optional<std::string>& text, SceneFile& file) {
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), count);
   if (error != std::errc{} || end != text->data() + text->size() || count < 2 || count > most)
     return file.option_fault("--frames", "must be a whole number from 2 to 10000, not " + in_quotes(visible(*text)));
+  file.set_by_option("output.frames", "--frames");
   file.scene.output.frames.clear();
   for (int k = 0; k < count; ++k) file.scene.output.frames.push_back(file.scene.time.end * k / (count - 1));
 }
@@ -74,6 +91,18 @@ void judge_method(SceneFile& file) {
   if (std::find(names.begin(), names.end(), name) == names.end())
     file.fault("time.method",
                "no method is named " + in_quotes(name) + did_you_mean(name, names) + "; see furrow methods");
+}
+
+// A method whose steps are fixed shows the state of the nearest one.
+void judge_frames(SceneFile& file) {
+  const Scene& scene = file.scene;
+  if (make_method(scene.time.method)->info().controlled) return;
+  const std::vector<double>& frames = scene.output.frames;
+  for (std::size_t k = 1; k < frames.size(); ++k) {
+    if (frames[k] - frames[k - 1] >= (1 - 1e-9) * scene.time.step) continue;
+    return file.fault("output.frames", item("frames", k) + " is less than a step of " + shortest(scene.time.step) +
+                                           " s after the one before it: both would show the same");
+  }
 }
 
 // The others carry every scene.
@@ -96,6 +125,8 @@ SceneFile changed_file(const RunOptions& options) {
   set_frames(options.frames, file);
   judge_method(file);
   file.judge();
+  file.throw_if_wrong();
+  judge_frames(file);
   file.throw_if_wrong();
   return file;
 }

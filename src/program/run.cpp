@@ -50,7 +50,9 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
   if (outcome.ended == "finished" && wanted.empty())
     progress.say("furrow: " + name + " finished; its files are" + in_directory + " (--out DIR puts them elsewhere)");
   if (outcome.ended == "diverged")
-    progress.say("furrow: error: " + name + " diverged: " + outcome.reason + "; the last good state is" + in_directory);
+    progress.say("furrow: error: " + name + " diverged: " + outcome.reason +
+                 (fs::exists(directory / "state.csv") ? "; the last good state is" : "; what it had written is") +
+                 in_directory);
   if (outcome.ended == "invalid")
     progress.say("furrow: error: " + name + " is invalid: " + outcome.reason + "; what it had written is" +
                  in_directory);

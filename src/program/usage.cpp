@@ -109,6 +109,11 @@ CLI::Validator whole_number(long low, long high) {
       "");
 }
 
+CLI::Validator word() {
+  return CLI::Validator(
+      [](std::string& text) { return text.empty() ? std::string("must not be empty") : std::string(); }, "");
+}
+
 CLI::Validator moment() {
   return CLI::Validator(
       [](std::string& text) {

@@ -16,6 +16,9 @@ std::string usage_fault(const CLI::App& app, const CLI::ParseError& error);
 // Accepts whole numbers from `low` to `high`.
 CLI::Validator whole_number(long low, long high);
 
+// Accepts any word but an empty one, which a variable of a shell that is not set leaves.
+CLI::Validator word();
+
 // Accepts numbers (s) that are finite and not negative.
 CLI::Validator moment();
 

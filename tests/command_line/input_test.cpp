@@ -47,6 +47,26 @@ TEST_F(Input, SizesAreSaidWithTheirLimitBeforeWorkBegins) {
   expect_refusal(run + " --until 1e9", "--until: time.step: time.end / time.step = 1e+13 steps; at most 1e+10");
 }
 
+TEST_F(Input, OptionsThatSetOneKeyTwiceAreRefusedNotDropped) {
+  const std::string run = "run " + scene("scenario_1");
+  expect_refusal(run + " --set time.step=1e-4 --dt 2e-4", "--dt: --set time.step sets it too; give one of them");
+  expect_refusal(run + " --set time.step=1e-4 --set time.step=2e-4", "--set time.step: given twice; give one of them");
+  expect_refusal(run + " --frames 3 --set output.frames=[0.1]", "--frames: --set output.frames sets it too");
+}
+
+TEST_F(Input, AnEmptyDirectoryIsRefusedNotTheDefault) {
+  expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out ''", "--out: must not be empty");
+  expect_refusal("run " + scene("scenario_1") + " --until 0.01 --resume ''", "--resume: must not be empty");
+}
+
+TEST_F(Input, PicturesCloserThanAStepAreRefusedWhereStepsAreFixed) {
+  const std::string run = "run " + scene("scenario_1") + " --until 0.01 --out here ";
+  expect_refusal(run + "--set output.frames=[0.0,0.00005]",
+                 "--set output.frames: frames[1] is less than a step of 1e-04 s after");
+  expect_refusal(run + "--frames 150", "--frames: frames[1] is less than a step of 1e-04 s after the one before it");
+  EXPECT_EQ(furrow(run + "--frames 101").code, 0);
+}
+
 TEST_F(Input, WordsThatAreMisspeltAreNamedWithTheNearest) {
   expect_refusal("rum x", "\"rum\"; did you mean \"run\"?");
   expect_refusal("--hlep", "\"--hlep\"; did you mean \"--help\"?");
