@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "output/files.h"
+#include "output/owned_directory.h"
+#include "program/usage.h"
 #include "validation/commands.h"
 #include "validation/page/film.h"
 #include "validation/page/run_record.h"
@@ -17,16 +19,33 @@ struct ViewOptions {
   std::string directory, out;  // out: empty: view.html in the directory
 };
 
+constexpr const char* page_name = "view.html";
+
+void write(OutputFile&& file, const std::string& page) {
+  file << page;
+  file.finish();
+}
+
+// In the run's own directory it is one of its files: it is made again, and goes with the run.
+void write_own(const fs::path& directory, const std::string& ended, const std::string& page) {
+  OwnedDirectory run(directory, "run", {page_name}, OwnedDirectory::Earlier::kept);
+  write(OutputFile::rewriting(directory / page_name), page);
+  run.conclude(ended);
+}
+
 int view_command(const ViewOptions& options) {
   const fs::path directory = options.directory;
   if (!fs::is_directory(directory))
     throw FileError(options.directory + ": no such directory; furrow run --out makes one");
   const RunRecord run = read_run(directory.filename(), directory);
+  if (const std::string why = run.finished() ? broken_off(run) : ""; !why.empty())
+    throw FileError(options.directory + ": the run finished, but " + why + ": its files are not whole");
   const std::string page = view_page(run, directory);
-  const fs::path place = options.out.empty() ? directory / "view.html" : fs::path(options.out);
-  OutputFile file(place);
-  file << page;
-  file.finish();
+  const fs::path place = options.out.empty() ? directory / page_name : fs::path(options.out);
+  if (options.out.empty())
+    write_own(directory, run.fact("ended")->texts.front(), page);
+  else
+    write(OutputFile(place), page);
   std::cout << place.string() << "\n";
   return good;
 }
@@ -40,7 +59,9 @@ void add_view_command(CLI::App& app, std::vector<Command>& all) {
   view->add_option("directory", options.directory, "directory of a run, best of one with --frames 150")
       ->required()
       ->type_name("");
-  view->add_option("--out", options.out, "the page (default: view.html in the directory)")->type_name("FILE");
+  view->add_option("--out", options.out, "the page (default: view.html in the directory)")
+      ->type_name("FILE")
+      ->check(word());
   all.push_back({view, [] { return view_command(options); }});
 }
 

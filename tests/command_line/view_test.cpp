@@ -1,6 +1,8 @@
 // `furrow view`: one page that plays a run, or a word on why not.
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "program.h"
 
 namespace {
@@ -19,6 +21,36 @@ TEST_F(View, PlaysARunWithThePicturesThatWereAskedFor) {
   EXPECT_NE(page.find("id=\"film\""), std::string::npos);
   ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.05 --out here").code, 0)
       << "the page is no obstacle, " << err();
+}
+
+TEST_F(View, PagesAreMadeAgainAndGoWithTheirRun) {
+  const std::string run = "run " + scene("scenario_1") + " --until 0.02 --frames 3 --out here";
+  ASSERT_EQ(furrow(run).code, 0) << err();
+  ASSERT_EQ(furrow("view here").code, 0) << err();
+  ASSERT_EQ(furrow("view here").code, 0) << err();
+  EXPECT_FALSE(fs::exists(directory_ / "here/view.html.partial"));
+  ASSERT_EQ(furrow(run).code, 0) << err();
+  EXPECT_FALSE(fs::exists(directory_ / "here/view.html")) << "of the run before";
+}
+
+TEST_F(View, WhatStandsInThePlaceOfAPageStaysAndNothingIsLeftBesideIt) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.02 --frames 3 --out here").code, 0) << err();
+  std::ofstream(directory_ / "mine.html") << "mine";
+  EXPECT_EQ(furrow("view here --out mine.html").code, 4);
+  EXPECT_NE(err().find("mine.html: it is there already"), std::string::npos) << err();
+  EXPECT_EQ(text_of(directory_ / "mine.html"), "mine");
+  EXPECT_FALSE(fs::exists(directory_ / "mine.html.partial"));
+  std::ofstream(directory_ / "here/view.html") << "mine";
+  EXPECT_EQ(furrow("view here").code, 4);
+  EXPECT_EQ(text_of(directory_ / "here/view.html"), "mine");
+}
+
+TEST_F(View, ASeriesThatWasCutIsNoFilm) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.02 --frames 3 --out here").code, 0) << err();
+  const std::string whole = text_of(directory_ / "here/plate_force.csv");
+  std::ofstream(directory_ / "here/plate_force.csv") << whole.substr(0, whole.find('\n') + 1);
+  EXPECT_EQ(furrow("view here").code, 4);
+  EXPECT_NE(err().find("plate_force.csv ends at t = 0 s: its files are not whole"), std::string::npos) << err();
 }
 
 TEST_F(View, OfNoRunIsAnErrorOfInput) {
