@@ -1,6 +1,9 @@
 // The commands cases, judge and engine.
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <string_view>
 
 #include "methods/method.h"
 #include "output/files.h"
@@ -69,7 +72,22 @@ int exit_code_of(const std::vector<Judgement>& all) {
   return judged && well ? good : check_failed;
 }
 
+// Before the engine is asked: a result of an earlier judge may be replaced, nothing else.
+void refuse_foreign(const std::string& file, std::string_view begins) {
+  if (file.empty() || !std::filesystem::exists(file)) return;
+  std::ifstream stream(file, std::ios::binary);
+  std::string there(begins.size(), '\0');
+  stream.read(there.data(), static_cast<std::streamsize>(there.size()));
+  there.resize(static_cast<std::size_t>(stream.gcount()));
+  if (!std::filesystem::is_regular_file(file) || (!there.empty() && there != begins))
+    throw FileError(file + " is there and is no result of furrow judge; move it away, or name another file");
+}
+
 int judge_command(const JudgeOptions& options) {
+  if (!options.json.empty() && options.json == options.junit)
+    throw std::invalid_argument("--json and --junit name one file; the one would replace the other");
+  refuse_foreign(options.json, judgements_begin_json);
+  refuse_foreign(options.junit, judgements_begin_junit);
   const std::vector<Json> cases = cases_like(options.patterns);
   const Engine engine = program_engine(options.engine, options.limit);
   std::vector<Judgement> all;
@@ -94,6 +112,19 @@ int list_methods() {
   return good;
 }
 
+void require_protocol(const Json& request) {
+  const auto refuse = [](const std::string& why) {
+    throw std::invalid_argument("the request on standard input " + why + "; see furrow cases --protocol");
+  };
+  if (!request.is_object()) refuse("is no JSON object");
+  if (request.value("protocol", Json()) != 1) refuse("is not of protocol 1");
+  for (const char* key : {"step", "count"}) {
+    const Json value = request.value(key, Json());
+    if (!value.is_number() || !(value.get<double>() > 0)) refuse(std::string("has no ") + key + " above 0");
+  }
+  if (!request.value("case", Json()).is_object()) refuse("has no case");
+}
+
 int engine_command(const std::string& method) {
   if (make_method(method)->info().controlled)
     throw std::invalid_argument("--method: " + method +
@@ -101,6 +132,7 @@ int engine_command(const std::string& method) {
   const Json request = Json::parse(std::cin, nullptr, false);
   if (request.is_discarded())
     throw std::invalid_argument("the request on standard input is not JSON; see furrow cases --protocol");
+  require_protocol(request);
   try {
     std::printf("%s\n", furrow_answer(request, method).dump(2).c_str());
   } catch (const Json::exception& fault) {

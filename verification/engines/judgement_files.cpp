@@ -72,9 +72,8 @@ std::string judgements_as_junit(const std::vector<Judgement>& all) {
       std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict > CaseVerdict::cannot; });
   const auto skipped =
       std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict == CaseVerdict::cannot; });
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"furrow judge\" tests=\"" +
-                     std::to_string(all.size()) + "\" failures=\"" + std::to_string(bad) + "\" skipped=\"" +
-                     std::to_string(skipped) + "\">\n";
+  std::string text = std::string(judgements_begin_junit) + " tests=\"" + std::to_string(all.size()) + "\" failures=\"" +
+                     std::to_string(bad) + "\" skipped=\"" + std::to_string(skipped) + "\">\n";
   for (const Judgement& j : all) {
     text += "  <testcase classname=\"" + escaped(j.engine) + "\" name=\"" + escaped(j.name) + "\">";
     const std::string message = " message=\"" + escaped(to_string(j.verdict) + ": " + j.words) + "\"/>";

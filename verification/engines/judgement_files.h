@@ -2,11 +2,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verification/engines/judge.h"
 
 namespace furrow::verification {
+
+// How both files begin, by which they are known again.
+inline constexpr std::string_view judgements_begin_json = "[\n {\n  \"case\": ";
+inline constexpr std::string_view judgements_begin_junit =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"furrow judge\"";
 
 std::string table_row(const Judgement& j);
 std::string count_line(const std::vector<Judgement>& all);
