@@ -37,6 +37,16 @@ RunOutcome run_one(const RunOptions& options, Progress& progress);
 int exit_code_of(const RunOutcome& outcome);
 int explain_command(const RunOptions& options);
 
+struct ExportOptions {
+  RunOptions scene;  // with the directory of the deck
+  std::string to = "lammps";
+  std::vector<std::string> allow;  // keys that may go in by another law
+  std::string compare;             // directory of a deck that has run; empty: export
+  double early = 0.05;             // s
+};
+int export_command(const ExportOptions& options);
+int compare_command(const ExportOptions& options);
+
 struct KeysOptions {
   std::vector<std::string> patterns;  // empty: all keys
   bool json = false, markdown = false, schema = false;

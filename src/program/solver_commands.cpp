@@ -29,17 +29,26 @@ int methods_command() {
   return good;
 }
 
+int export_or_compare(const ExportOptions& options) {
+  if (!options.compare.empty()) return compare_command(options);
+  if (options.scene.scene.empty() || options.scene.directory.empty())
+    throw std::invalid_argument("export needs a scene and --out DIR, or --compare DIR");
+  return export_command(options);
+}
+
 }  // namespace
 
 void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
   static RunOptions options;
   static std::vector<std::string> scenes;
   static KeysOptions keys_options;
-  const auto add_overrides = [](CLI::App* command) {
-    command->add_option("scene", options.scene, "scene file (TOML)")->required()->type_name("");
-    command->add_option("--method", options.method, "integration method, see furrow methods")->type_name("NAME");
-    command->add_option("--dt", options.step, "time step; rows are written no oftener")->type_name("SECONDS");
-    command->add_option("--set", options.set, "a key of the scene, as in --set disc[0].radius=0.02; see furrow keys")
+  static ExportOptions exported;
+  const auto add_overrides = [](CLI::App* command, RunOptions& to) {
+    auto* scene = command->add_option("scene", to.scene, "scene file (TOML)")->type_name("");
+    if (&to == &options) scene->required();
+    command->add_option("--method", to.method, "integration method, see furrow methods")->type_name("NAME");
+    command->add_option("--dt", to.step, "time step; rows are written no oftener")->type_name("SECONDS");
+    command->add_option("--set", to.set, "a key of the scene, as in --set disc[0].radius=0.02; see furrow keys")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
@@ -47,7 +56,7 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
   auto* run = app.add_subcommand(
       "run",
       "run a scene and write its files; run.json goes to standard output too, to a terminal its sum in four lines");
-  add_overrides(run);
+  add_overrides(run, options);
   run->add_option("--until", options.until, "end of the run; pictures after it are left out")->type_name("SECONDS");
   run->add_option("--locate", options.locate, "what steps end at: none, tears, or all (touches and slips too)")
       ->type_name("WORD");
@@ -73,7 +82,27 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
 
   auto* explain =
       app.add_subcommand("explain", "what of a scene is modelled, what is left out, and what follows from its numbers");
-  add_overrides(explain);
+  add_overrides(explain, options);
+
+  auto* deck = app.add_subcommand(
+      "export",
+      "write a scene as the input of another engine, or compare what that engine made of it with furrow's run");
+  add_overrides(deck, exported.scene);
+  deck->add_option("--until", exported.scene.until, "end of the run")->type_name("SECONDS");
+  deck->add_option("--to", exported.to, "the engine: lammps")->type_name("WORD");
+  deck->add_option("--out", exported.scene.directory, "directory for the deck")->type_name("DIR");
+  deck->add_option("--allow", exported.allow, "a key that may go in by another law; without it such a scene is refused")
+      ->type_name("KEY")
+      ->expected(1)
+      ->take_all();
+  deck->add_option("--compare", exported.compare, "directory of a deck that has run: compare, and write compared.json")
+      ->type_name("DIR")
+      ->excludes("--out")
+      ->excludes("scene");
+  deck->add_option("--early", exported.early, "how long forces are compared row by row (default: 0.05)")
+      ->type_name("SECONDS")
+      ->check(moment())
+      ->needs("--compare");
 
   auto* methods = app.add_subcommand("methods", "list the integration methods");
 
@@ -88,6 +117,7 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
   all.insert(all.end(), {{run, [] { return run_command(options); }},
                          {check, [] { return check_command(scenes); }},
                          {explain, [] { return explain_command(options); }},
+                         {deck, [] { return export_or_compare(exported); }},
                          {methods, methods_command},
                          {keys, [] { return keys_command(keys_options); }}});
 }
