@@ -1,4 +1,6 @@
 // `furrow view`: one page that plays a run.
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -33,6 +35,21 @@ void write_own(const fs::path& directory, const std::string& ended, const std::s
   run.conclude(ended);
 }
 
+bool finite(const std::vector<double>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+// The file with a number that no run writes; empty if there is none.
+std::string spoilt_file(const RunRecord& run) {
+  const ForceCurve& force = run.force;
+  for (const auto* of : {&force.mm, &force.fx, &force.fy, &force.f})
+    if (!finite(*of)) return "plate_force.csv";
+  for (std::size_t k = 0; k < run.frames.size(); ++k)
+    for (const char* column : {"x [m]", "y [m]", "radius [m]"})
+      if (!finite(run.frames[k].discs.numbers(column))) return "picture " + std::to_string(k);
+  return {};
+}
+
 int view_command(const ViewOptions& options) {
   const fs::path directory = options.directory;
   if (!fs::is_directory(directory))
@@ -40,6 +57,8 @@ int view_command(const ViewOptions& options) {
   const RunRecord run = read_run(directory.filename(), directory);
   if (const std::string why = run.finished() ? broken_off(run) : ""; !why.empty())
     throw FileError(options.directory + ": the run finished, but " + why + ": its files are not whole");
+  if (const std::string file = spoilt_file(run); !file.empty())
+    throw FileError(options.directory + ": " + file + " has a number that is not finite");
   const std::string page = view_page(run, directory);
   const fs::path place = options.out.empty() ? directory / page_name : fs::path(options.out);
   if (options.out.empty())

@@ -53,6 +53,15 @@ TEST_F(View, ASeriesThatWasCutIsNoFilm) {
   EXPECT_NE(err().find("plate_force.csv ends at t = 0 s: its files are not whole"), std::string::npos) << err();
 }
 
+TEST_F(View, ANumberThatIsNotFiniteIsNoFilm) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.02 --frames 3 --out here").code, 0) << err();
+  std::string text = text_of(directory_ / "here/plate_force.csv");
+  text.replace(text.find(",0,0,0\n"), 7, ",nan,0,0\n");
+  std::ofstream(directory_ / "here/plate_force.csv") << text;
+  EXPECT_EQ(furrow("view here").code, 4);
+  EXPECT_NE(err().find("plate_force.csv has a number that is not finite"), std::string::npos) << err();
+}
+
 TEST_F(View, OfNoRunIsAnErrorOfInput) {
   EXPECT_EQ(furrow("view nowhere").code, 4);
   EXPECT_NE(err().find("nowhere: no such directory"), std::string::npos) << err();
