@@ -1,5 +1,5 @@
-// furrow and other programs on the same scene, in turn. First whether they agree: height of the bed at rest, mean push
-// on the plate. Then the CPU time of a step: that of the whole process for all steps, less that for one step.
+// furrow and other programs on the same scene, in turn. First whether they agree: the push on the plate at two steps
+// before the bed is chaotic (early.h), then height of the bed at rest and mean push. Then the CPU time of a step: that of the whole process for all steps, less that for one step.
 //
 // usage: compare DECKS WORK FURROW RESULT ROUNDS    called by scripts/rivals; RESULT: in Google Benchmark's form
 // Exit codes: 0 good; 1 furrow itself failed, or does not agree with its own runs; 4 input or output. A rival that
@@ -14,6 +14,7 @@
 
 #include "benchmarks/measuring/made_by.h"
 #include "benchmarks/measuring/samples.h"
+#include "benchmarks/rivals/early.h"
 #include "benchmarks/rivals/rivals.h"
 #include "output/build_info.h"
 #include "output/files.h"
@@ -24,6 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using furrow::benchmarks::Bed;
+using furrow::benchmarks::early_agreement;
 using furrow::benchmarks::Interval;
 using furrow::benchmarks::Rival;
 using furrow::benchmarks::rounded;
@@ -147,11 +149,6 @@ double mean_contacts(const Bed& bed, const Rival& own) {
   return sum / static_cast<double>(rows.size());
 }
 
-std::string version_of(const std::string& package) {
-  if (package.empty()) return std::string(furrow::build_info().commit);
-  return furrow::run_measured({.words = {"dpkg-query", "-W", "-f=${Version}", package}}).output;
-}
-
 struct Entry {
   Rival rival;
   Json json;  // what all of its reports say
@@ -162,9 +159,11 @@ struct Entry {
 Entry looked_at(const Bed& bed, const Rival& rival, const Band& band) {
   Entry entry{rival, {{"name", rival.name}, {"run_name", rival.name}}};
   entry.json["label"] = rival.law;
-  entry.json["version"] = version_of(rival.package);
+  entry.json["version"] = furrow::benchmarks::version_of(rival.package);
+  entry.json["build"] = furrow::benchmarks::build_of(rival.package);
   entry.json["evaluations"] = rival.evaluations;
   try {
+    entry.json["early"] = early_agreement(bed, rival);
     const Seen seen = look(bed, rival);
     entry.json["height"] = rounded(seen.height);
     entry.json["push"] = rounded(seen.push);
@@ -222,6 +221,13 @@ void conclude(Entry& entry, const std::vector<double>& own, double contacts, Jso
   json["iterations"] = rounds;
   json["ratio"] = rounded_list({ratio.low, ratio.middle, ratio.high});
   report(json, time.middle, furrow::benchmarks::median_interval(entry.times.real).middle);
+  const Json& smooth = json["early"][0];
+  std::printf(
+      "%-28s push before chaos, mu = 0: off by %.2g, %.2g of its greatest at steps of 1e-4, 1e-5 s, order %.2f\n",
+      entry.rival.name.c_str(), smooth["errors"][0].get<double>(), smooth["errors"][1].get<double>(),
+      smooth["order"].get<double>());
+  std::printf("%-28s the same with friction: off by %.2g at 1e-5 s: %s\n", "",
+              json["early"][1]["errors"][1].get<double>(), entry.rival.law.c_str());
   std::printf("%-28s %8.2f us a step   %6.2f [%5.2f, %5.2f]   height %.4f m, push %6.1f N%s\n",
               entry.rival.name.c_str(), 1e6 * time.middle, ratio.middle, ratio.low, ratio.high,
               json["height"].get<double>(), json["push"].get<double>(),

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "export/lammps_law.h"
+#include "output/build_info.h"
 #include "output/files.h"
 #include "physics/damping.h"
 #include "scene/read.h"
@@ -18,18 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 using Constants = std::vector<std::pair<std::string, std::string>>;
-
-// The e for which LAMMPS and its polynomial of Tsuji 1992, alpha(e), damp as furrow does for `wanted`: LAMMPS takes
-// alpha sqrt(m* k) with k = 4/3 E* a, furrow 2 sqrt(5/6) beta sqrt(m* Sn) with Sn = 2 E* a, so alpha = sqrt(5) beta.
-double tsuji_restitution(double beta) {
-  const auto alpha = [](double e) {
-    return 1.2728 - 4.2783 * e + 11.087 * e * e - 22.348 * e * e * e + 27.467 * std::pow(e, 4) -
-           18.022 * std::pow(e, 5) + 4.8218 * std::pow(e, 6);
-  };
-  double low = 0, high = 1;
-  for (int k = 0; k < 60; ++k) (alpha(0.5 * (low + high)) > std::sqrt(5.0) * beta ? low : high) = 0.5 * (low + high);
-  return low;
-}
 
 // Overlap at which gran/hertz/history, whose damping grows as sqrt(d) instead of d^(1/4), damps like the others.
 constexpr double matched_overlap = 3e-4;  // m, of a disc in the middle of the bed
@@ -52,7 +42,7 @@ Constants constants(const Bed& bed, const Task& task) {
   add("poisson", *m.poisson);
   add("friction", scene.contact.friction);
   add("restitution", *scene.contact.restitution);
-  add("tsuji", tsuji_restitution(beta));
+  add("tsuji", tsuji_number(tsuji_alpha(law)));
   add("tangential", law.shear_ratio);
   add("kn", 4.0 / 3.0 * law.modulus);
   add("kt", 8 * law.shear_modulus);
@@ -100,7 +90,8 @@ MeasuredCommand yade(const Bed& bed, const Task& task) {
   return {std::move(words), task.directory, {"OMP_NUM_THREADS=1"}, task.directory / "errors.txt"};
 }
 
-MeasuredCommand furrow_with(const Bed& bed, const Task& task, const std::string& method) {
+MeasuredCommand furrow_with(const Bed& bed, const Task& task, const std::string& method,
+                            const std::vector<std::string>& environment = {}) {
   Scene scene = read_scene(bed.directory / "scene.toml");
   scene.plate[0].velocity.x = task.speed;
   scene.time.method = method;
@@ -111,7 +102,7 @@ MeasuredCommand furrow_with(const Bed& bed, const Task& task, const std::string&
   file.finish();
   return {{bed.furrow, "run", task.directory / "scene.toml", "--out", task.directory / "run"},
           task.directory,
-          {},
+          environment,
           task.directory / "errors.txt"};
 }
 
@@ -170,9 +161,34 @@ Bed make_bed(const fs::path& decks, const fs::path& directory, const fs::path& f
   }
   scene.settle.reset();
   write_scene(bed, scene);
-  write_bed(directory / "bed.data", scene, bed.prepared.system.parts().disc);
-  write_plate(directory / "plate.stl", scene.plate[0]);
+  write_bodies(bed);
   return bed;
+}
+
+void write_bodies(const Bed& bed) {
+  write_bed(bed.directory / "bed.data", bed.prepared.scene, bed.prepared.system.parts().disc);
+  write_plate(bed.directory / "plate.stl", bed.prepared.scene.plate[0]);
+}
+
+Rival converged() {
+  return {"furrow, rk4", "", "", 1, 4, [](const Bed& bed, const Task& task) { return furrow_with(bed, task, "rk4"); }};
+}
+
+std::string version_of(const std::string& package) {
+  if (package.empty()) return std::string(build_info().commit);
+  return run_measured({.words = {"dpkg-query", "-W", "-f=${Version}", package}}).output;
+}
+
+// How a program was compiled: of a package what Debian's flags are, if it does not say itself.
+std::string build_of(const std::string& package) {
+  if (package.empty()) return std::string(build_info().compiler) + " " + std::string(build_info().flags);
+  if (package == "lammps") {
+    const std::string help = run_measured({.words = {"lmp", "-h"}}).output;
+    const auto at = help.find("Compiler: ");
+    if (at != std::string::npos)
+      return help.substr(at + 10, help.find('\n', at) - at - 10) + ", Debian's flags: x86-64";
+  }
+  return "Debian's flags: -O2, x86-64";
 }
 
 std::vector<Rival> rivals() {
@@ -186,6 +202,10 @@ std::vector<Rival> rivals() {
   return {
       {"furrow, symplectic Euler", "", "Hertz, Tsuji damping, Mindlin; I = m R^2/2", all, 1, own("symplectic_euler")},
       {"furrow, PECE", "", "the same", all, 2, own("pece")},
+      {"furrow, no wide vectors", "", "the first again, with the registers of the rivals' builds", all, 1,
+       [](const Bed& bed, const Task& task) {
+         return furrow_with(bed, task, "symplectic_euler", {"FURROW_VECTORS=none"});
+       }},
       {"LAMMPS, gran/hertz/history", "lammps", "damping as sqrt(d) instead of d^(1/4)", all, 1, lammps_with("hertz")},
       {"LAMMPS, granular", "lammps", "the same law", all, 1, lammps_with("granular")},
       {"LIGGGHTS, hertz", "liggghts", "the same law; I = 2/5 m R^2", all, 1, liggghts},

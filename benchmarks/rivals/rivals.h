@@ -22,6 +22,7 @@ struct Bed {
 Bed make_bed(const std::filesystem::path& decks, const std::filesystem::path& directory,
              const std::filesystem::path& furrow);
 void write_scene(const Bed& bed, const Scene& scene);
+void write_bodies(const Bed& bed);  // bed.data and plate.stl
 
 struct Task {
   double speed;  // m/s, of the plate
@@ -38,6 +39,12 @@ struct Rival {
 };
 
 std::vector<Rival> rivals();
+
+// furrow's rk4, which others are compared with.
+Rival converged();
+
+std::string version_of(const std::string& package);  // empty: furrow's commit
+std::string build_of(const std::string& package);    // compiler and flags, as far as it says
 
 // Rows of so many numbers, separated by spaces or commas; others are headings.
 std::vector<std::vector<double>> rows_of(const std::filesystem::path& file, std::size_t columns);
