@@ -66,6 +66,18 @@ std::string scenes_of(const fs::path& tree) {
   return text;
 }
 
+// The page's object; of pages that were compiled together (FURROW_UNITY), all of them: which holds this one is not known.
+std::string compiled(const Places& places, const fs::path& page) {
+  std::istringstream lines(text_of(places.objects()));
+  std::string all;
+  for (std::string object; std::getline(lines, object);) {
+    const std::string bytes = text_of(object);
+    if (fs::path(object).filename() == page.filename().string() + ".o") return bytes;
+    all += bytes;
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string text_of(const fs::path& file) {
@@ -110,7 +122,7 @@ std::vector<Page> pages_of(const Places& places, const std::set<std::string>& me
     }
     for (Page* page : {&usual, &later}) {
       if (page->tests.empty()) continue;
-      page->object = text_of(places.objects() / (source.filename().string() + ".o"));
+      page->object = compiled(places, source);
       if (page->turn != Turn::always) page->object += text_of(places.sound_build / "libfurrow_studies.a");
       pages.push_back(std::move(*page));
     }

@@ -20,7 +20,7 @@ enum Turn { always, methods, costly };
 struct Page {
   std::string name;
   std::vector<std::string> tests;  // "Suite.Test"
-  std::string object;              // the bytes of the object file, and of the studies that it calls
+  std::string object;              // the bytes of what it was compiled to, and of the studies that it calls
   Turn turn = always;
   std::string program{};  // that has them; empty: the one of the pages
 };
@@ -28,7 +28,7 @@ struct Page {
 // Where things are. The sound build must hold verification_tests.
 struct Places {
   std::filesystem::path tree, sound_build, work;
-  std::filesystem::path objects() const { return sound_build / "verification/CMakeFiles/verification_tests.dir"; }
+  std::filesystem::path objects() const { return sound_build / "verification/page_objects.txt"; }  // a path a line
   std::filesystem::path verdicts() const { return work / "verdicts"; }
 };
 
