@@ -17,6 +17,7 @@
 #include "program/commands.h"
 #include "program/progress.h"
 #include "scene/hash.h"
+#include "scene/lattice_parts.h"
 #include "scene/read.h"
 #include "validation/commands.h"
 #include "validation/page/report.h"
@@ -31,7 +32,7 @@ struct ReportOptions {
   std::string directory = "report";
   std::string scenes = "validation/scenes";
   bool reuse = false, players = false;
-  std::string checks, faults, studies;  // what verification left, shown on the page; see Evidence
+  std::string checks, faults, studies, mutants, judgements;  // what verification left, shown on the page; see Evidence
 };
 
 // As many at once as the machine has processors. Returns the worst exit code.
@@ -113,22 +114,53 @@ std::string film_times(const Scene& scene) {
 struct Beside {
   std::string scene, name, label;
   std::vector<std::string> set;
+  bool same_but_step = false;
+  bool plays = true;  // else it is only drawn
 };
 
 const std::vector<Beside>& runs_beside() {
   static const std::vector<std::string> spheres{"model.disc_mass=\"sphere\"", "settle.step=1e-5",
                                                 "allow.energy_made=1e6", "allow.overlap=100", "allow.step=1e6"};
-  static const auto finer = [](std::vector<std::string> set) {
-    set.emplace_back("time.step=1e-5");
+  static const auto finer = [](std::vector<std::string> set, const char* step = "1e-5") {
+    set.emplace_back("time.step=" + std::string(step));
     return set;
   };
-  static const std::vector<Beside> all{
-      {"scenario_1", "scenario_1_finer", "with a tenth of the step, 0.01 ms", finer({})},
-      {"scenario_2", "scenario_2_finer", "with a tenth of the step, 0.01 ms", finer({})},
-      {"scenario_2", "scenario_2_spheres", "spheres instead of discs, 0.1 ms", spheres},
-      {"scenario_2", "scenario_2_spheres_finer", "spheres, a tenth of the step, 0.01 ms", finer(spheres)},
-      {"scenario_3", "scenario_3_finer", "with a tenth of the step, 0.01 ms", finer({})}};
+  static const std::vector<Beside> all = [] {
+    std::vector<Beside> list;
+    for (const std::string scene : {"scenario_1", "scenario_2", "scenario_3"}) {
+      list.push_back({scene, scene + "_finer", "with a tenth of the step, 0.01 ms", finer({}), true});
+      list.push_back({scene, scene + "_half", "", finer({}, "5e-5"), true, false});
+      list.push_back({scene, scene + "_fifth", "", finer({}, "2e-5"), true, false});
+    }
+    list.push_back({"scenario_2", "scenario_2_spheres", "spheres instead of discs, 0.1 ms", spheres});
+    list.push_back({"scenario_2", "scenario_2_spheres_finer", "spheres, a tenth of the step, 0.01 ms", finer(spheres)});
+    return list;
+  }();
   return all;
+}
+
+// A run to be made, unless the one that is there will do.
+void want(const ReportOptions& options, RunOptions one, std::vector<RunOptions>& wanted) {
+  const Scene asked = requested_scene(one);  // says what is wrong with any of them before the first one starts
+  if (!options.reuse || !reused(one, asked)) wanted.push_back(std::move(one));
+}
+
+// The tool that bends, and with all its nodes driven, for the player.
+std::vector<OtherRun> tools(const ReportOptions& options, std::vector<RunOptions>& wanted) {
+  const fs::path file = fs::path(options.scenes) / "deformable_tool.toml", place = options.directory;
+  if (!options.players || !fs::exists(file)) return {};
+  const Scene scene = requested_scene({.scene = file});
+  std::string rows;
+  const Lattice& tool = scene.lattice.at(0);
+  const std::size_t count =
+      held_nodes(tool).size() / static_cast<std::size_t>(tool.columns);  // of a stem it is not a key
+  for (std::size_t row = 0; row < count; ++row) rows += (row == 0 ? "" : ", ") + std::to_string(row);
+  const std::string pictures = "output.frames=" + film_times(scene);
+  want(options, {.scene = file, .set = {pictures}, .directory = place / "tool_that_bends"}, wanted);
+  want(options,
+       {.scene = file, .set = {"lattice[0].drive[0].rows=[" + rows + "]", pictures}, .directory = place / "rigid_tool"},
+       wanted);
+  return {{"a tool that bends", place / "tool_that_bends"}, {"the same tool, rigid", place / "rigid_tool"}};
 }
 
 int report_command(const ReportOptions& options, const std::vector<Study>& catalogue) {
@@ -138,26 +170,25 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
     const fs::path file = fs::path(options.scenes) / (name + ".toml"), directory = fs::path(options.directory) / name;
     const Scene scene = requested_scene({.scene = file});
     const std::string pictures = "output.frames=" + film_times(scene);
-    const auto want = [&](RunOptions one) {
-      one.set.push_back(pictures);
-      const Scene asked = requested_scene(one);  // says what is wrong with any of them before the first one starts
-      if (!options.reuse || !reused(one, asked)) wanted.push_back(std::move(one));
-    };
-    want({.scene = file, .directory = directory});
+    want(options, {.scene = file, .set = {pictures}, .directory = directory}, wanted);
     runs.push_back({name, directory, scene.output.frames});
     for (const Beside& beside : runs_beside()) {
       if (!options.players || beside.scene != name) continue;
       const fs::path place = fs::path(options.directory) / beside.name;
-      want({.scene = file, .set = beside.set, .directory = place});
-      runs.back().others.push_back({beside.label, place});
+      RunOptions one{.scene = file, .set = beside.set, .directory = place};
+      if (beside.plays) one.set.push_back(pictures);
+      want(options, std::move(one), wanted);
+      runs.back().others.push_back({beside.label, place, beside.same_but_step, beside.plays});
     }
   }
+  const std::vector<OtherRun> tool = tools(options, wanted);
   OwnedDirectory directory(options.directory, "report", page_files());
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
-  const Evidence evidence{options.checks, options.faults, options.studies, catalogue, now_in_utc()};
-  write_report(directory, runs, evidence);
+  const Evidence evidence{options.checks, options.faults,  options.studies,   catalogue,
+                          now_in_utc(),   options.mutants, options.judgements};
+  write_report(directory, runs, evidence, tool);
   directory.conclude("finished");
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
   const std::vector<std::string> missing = missing_evidence(evidence);
@@ -186,6 +217,10 @@ void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vec
       ->type_name("FILE");
   report->add_option("--studies", reported.studies, "directory of the studies' results, to be shown on the page")
       ->type_name("DIR");
+  report->add_option("--mutants", reported.mutants, "mutants.json of scripts/mutants, to be shown on the page")
+      ->type_name("FILE");
+  report->add_option("--judgements", reported.judgements, "judgements.json of scripts/judge, to be shown on the page")
+      ->type_name("FILE");
   all.push_back({report, [&catalogue] { return report_command(reported, catalogue); }});
 }
 }  // namespace furrow::validation

@@ -210,6 +210,64 @@ class Page(unittest.TestCase):
         b.wait("document.querySelectorAll('#checks_found tbody tr').length > 3")
         self.assertTrue(b.run("[...document.querySelectorAll('#checks_found tbody tr')].every(r => r.textContent.toLowerCase().includes('energy'))"))
 
+    # ---- what a reviewer asks ----
+
+    def rows_of(self, b, caption):
+        """The cells of the rows of the table whose caption begins so."""
+        return b.run(f"""(t => t && [...t.querySelectorAll('tbody tr:not(.group)')].map(r => [...r.cells].map(c => c.textContent.trim())))(
+            [...document.querySelectorAll('main table')].find(t => t.caption?.textContent.trim().startsWith({caption!r})))""")
+
+    def table(self, b, caption):
+        rows = self.rows_of(b, caption)
+        if not rows:
+            self.skipTest("the page was made without studies")
+        return rows
+
+    def test_cost_of_an_error_is_given_for_the_best_method_and_the_papers(self):
+        rows = self.table(self.open(), "The cheapest method at an error")
+        asked = [r for r in rows if r[0] == "scene 1" and r[1] == "0.001"]
+        self.assertEqual(len(asked), 1, "what does an error of 1e-3 cost in scene 1?")
+        best, of_best, of_papers = asked[0][2:5]
+        self.assertTrue(best and of_best and of_papers, asked[0])
+
+    def test_the_step_is_said_to_be_above_or_below_the_limit_in_each_scene(self):
+        rows = self.table(self.open(), "Is the step of each scene below")
+        at_lattice = [r for r in rows if r[0] == "scene 3, plate at the lattice"]
+        self.assertEqual(len(at_lattice), 1)
+        for row in rows:
+            wanted = "above the limit" if float(row[2]) > 1 else "below the limit"
+            self.assertIn(wanted, row[3], row)
+
+    def test_what_is_not_reproduced_says_why(self):
+        rows = self.table(self.open(), "Every statement of the paper, judged")
+        refuted = [r for r in rows if "not reproduced" in r[7]]
+        self.assertTrue(refuted)
+        self.assertEqual([r for r in refuted if len(r) < 9 or not r[8]], [])
+
+    def test_every_section_says_when_by_what_and_where_its_numbers_were_made(self):
+        for row in self.table(self.open(), "When the kept numbers of each section"):
+            self.assertRegex(row[3], r"\d{4}-\d\d-\d\d", row)
+            self.assertRegex(row[4], r"[0-9a-f]{7}", row)
+            self.assertRegex(row[5], "today's solver|older than the solver", row)
+
+    def test_engines_are_judged_case_by_case(self):
+        b = self.open()
+        if not b.run("!!document.querySelector('#judgements table')"):
+            self.skipTest("the page was made without judgements")
+        cases = self.rows_of(b, "Cases by engines")
+        self.assertGreater(len(cases), 40)
+        names = b.run("[...document.querySelectorAll('#judgements thead .upright')].map(h => h.textContent)")
+        self.assertTrue(any("LAMMPS" in n for n in names) and any("pece" in n for n in names), names)
+        self.assertTrue(all(len(row) == len(names) + 1 for row in cases))
+
+    def test_scenes_have_their_figures(self):
+        b = self.open()
+        for name in ("scenario_3_force", "scenario_3_overlaps", "scenario_3_tears", "scenario_3_by_step"):
+            if name.endswith("by_step") and not (REPORT / "scenario_3_half").exists():
+                continue  # the page was made without --players
+            self.assertTrue((REPORT / f"{name}.svg").exists(), name)
+            self.assertTrue(b.run(f"[...document.querySelectorAll('#scenario_3 a')].some(a => a.getAttribute('href') === '{name}.svg')"), name)
+
     # ---- other readers ----
 
     def test_a_phone_scrolls_in_one_direction(self):

@@ -18,6 +18,8 @@ do for [k = 1:panels] {
   set rmargin at screen left + 0.94 / panels - 0.055
   if (k == 1) { set ylabel 'force' offset 1, 0 } else { unset ylabel }
   set title value(sprintf('title_%d', k)) offset 0, -0.5
+  set xrange [*:*]
+  set yrange [*:*]
   eval sprintf("stats $exact_%d using 1 name 'x' nooutput; stats $exact_%d using 2 name 'y' nooutput", k, k)
   set xrange [0:1.12 * x_max]
   set yrange [0:1.15 * y_max]

@@ -11,13 +11,13 @@ set xrange [-reach:reach]
 set yrange [-reach:reach]
 set xtics (-2, -1, 0, 1, 2) offset 0, 0.4
 set ytics (-2, -1, 0, 1, 2) offset 0.6, 0
-set parametric
-set trange [0:2 * pi]
 array called[50]
 array last[50]
 note(k, r, name) = (called[k + 1] = name, last[k + 1] = r, 1)
 stats $panels using (note(int($1), $2, strcol(3))) nooutput
-set multiplot layout rows, columns margins 0.055, 0.985, 0.5 / rows * 0.28, 1 - 0.09 / rows spacing 0.03, 0.26 / rows
+set parametric
+set trange [0:2 * pi]
+set multiplot layout rows, columns margins 0.055, 0.985, 0.25 / rows, 1 - 0.09 / rows spacing 0.03, 0.26 / rows
 do for [k = 0:count - 1] {
   set title sprintf('%s: %.2f', called[k + 1], last[k + 1]) offset 0, -0.8 tc rgb colour_of_method(called[k + 1])
   if (k % columns == 0) { set ylabel 'velocity' offset 1.2, 0 } else { unset ylabel }

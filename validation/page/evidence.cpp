@@ -6,6 +6,8 @@
 
 #include "output/files.h"
 #include "report/seal.h"
+#include "validation/page/judgements.h"
+#include "validation/page/mutants.h"
 #include "validation/page/page_parts.h"
 
 namespace furrow::validation {
@@ -117,6 +119,8 @@ std::vector<std::string> missing_evidence(const Evidence& evidence) {
   };
   if (!evidence.checks.empty()) note(unusable_checks(evidence.checks));
   if (!evidence.faults.empty()) note(unusable_faults(evidence.faults));
+  if (!evidence.mutants.empty()) note(unusable_mutants(evidence.mutants));
+  if (!evidence.judgements.empty()) note(unusable_judgements(evidence.judgements));
   if (evidence.studies.empty()) return all;
   for (const std::string& name : studies_of_the_page()) note(unusable_study(evidence, name));
   return all;

@@ -42,16 +42,16 @@ struct Bins {
   double step = 0, peak = 0;      // mm, N
 };
 
-Bins bins_of(const ForceCurve& curve, const std::vector<double>& at, double end) {
+Bins bins_of(const std::vector<double>& force, const std::vector<double>& at, double end) {
   Bins bins;
-  const auto count = static_cast<std::size_t>(std::min(most_bins, static_cast<double>(curve.f.size())));
+  const auto count = static_cast<std::size_t>(std::min(most_bins, static_cast<double>(force.size())));
   if (count == 0 || !(end > 0)) return bins;
   bins.step = end / static_cast<double>(count);
   bins.low.assign(count, NAN), bins.high.assign(count, NAN);
   for (std::size_t k = 0; k < at.size(); ++k) {
     const auto bin = std::min(count - 1, static_cast<std::size_t>(std::max(0.0, at[k] / bins.step)));
-    bins.low[bin] = std::fmin(bins.low[bin], curve.f[k]), bins.high[bin] = std::fmax(bins.high[bin], curve.f[k]);
-    bins.peak = std::fmax(bins.peak, curve.f[k]);
+    bins.low[bin] = std::fmin(bins.low[bin], force[k]), bins.high[bin] = std::fmax(bins.high[bin], force[k]);
+    bins.peak = std::fmax(bins.peak, force[k]);
   }
   for (std::size_t k = 0; k < count; ++k) {  // a stretch without a row goes on with the last one
     if (std::isnan(bins.low[k])) bins.low[k] = bins.high[k] = k > 0 ? bins.high[k - 1] : 0;
@@ -78,7 +78,7 @@ std::string film_of(const RunRecord& run, const std::filesystem::path& directory
   if (run.frames.empty())
     throw std::runtime_error(directory.string() + ": the run has no pictures; run it again with --frames 150");
   const FilmFrames frames(run, directory);
-  const Bins bins = bins_of(run.force, frames.force_at(), frames.at().back());
+  const Bins bins = bins_of(frames.force(), frames.force_at(), frames.at().back());
   const double unit = bins.peak > 0 ? bins.peak / 32000 : 1;
   Json walls = Json::array(), links = Json::array(), plates = Json::array();
   for (const Wall& w : run.scene.wall) walls.push_back({w.point.x, w.point.y, w.normal.x, w.normal.y});
@@ -89,6 +89,7 @@ std::string film_of(const RunRecord& run, const std::filesystem::path& directory
   for (const auto& [at, link] : frames.torn()) torn.push_back({at, link});
   const Json header{{"title", run.scene.title},
                     {"axis", frames.by_way() ? "mm" : "ms"},
+                    {"tool", frames.driven() ? "driven nodes" : "plate"},
                     {"mm", frames.at()},
                     {"box", {frames.box().x0, frames.box().y0, frames.box().x1, frames.box().y1}},
                     {"unit", frames.box().unit()},

@@ -69,11 +69,34 @@ FilmFrames::FilmFrames(const RunRecord& run, const std::filesystem::path& direct
   }
 }
 
+// The way and the force of the first driven nodes.
+void FilmFrames::find_driven_axis(const RunRecord& run, const std::filesystem::path& directory) {
+  const Table drives(directory / "drive_force.csv");
+  const auto &lattice = drives.texts("lattice"), &drive = drives.texts("drive");
+  const auto t = drives.numbers("t [s]"), way = drives.numbers("displacement [m]"), f = drives.numbers("F [N]");
+  std::vector<double> times;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    if (lattice[k] != lattice[0] || drive[k] != drive[0]) continue;
+    times.push_back(t[k]), force_at_.push_back(1e3 * std::fabs(way[k])), force_.push_back(f[k]);
+  }
+  if (times.empty()) return;
+  const auto way_at = [&](double time) {
+    const auto k = static_cast<std::size_t>(std::lower_bound(times.begin(), times.end(), time) - times.begin());
+    return force_at_[std::min(k, times.size() - 1)];
+  };
+  for (const double time : Table(directory / "frames/frames.csv").numbers("t [s]")) at_.push_back(way_at(time));
+  const auto torn_at = run.torn.empty() ? std::vector<double>{} : Table(directory / "events.csv").numbers("t [s]");
+  for (std::size_t k = 0; k < run.torn.size(); ++k) torn_.emplace_back(way_at(torn_at[k]), run.torn[k].link);
+}
+
 void FilmFrames::find_axis(const RunRecord& run, const std::filesystem::path& directory) {
+  driven_ = run.scene.plate.empty() && std::filesystem::exists(directory / "drive_force.csv");
+  by_way_ = driven_;
+  if (driven_) return find_driven_axis(run, directory);
   by_way_ = !run.scene.plate.empty() && plate_speed(run) > 0;
   const auto times = Table(directory / "frames/frames.csv").numbers("t [s]");
   for (std::size_t k = 0; k < run.frames.size(); ++k) at_.push_back(by_way_ ? run.frames[k].mm : 1e3 * times[k]);
-  force_at_ = run.force.mm;
+  force_at_ = run.force.mm, force_ = run.force.f;
   if (!by_way_ && !run.scene.plate.empty()) {
     const Table force(directory / "plate_force.csv");
     const auto& plate = force.texts("plate");

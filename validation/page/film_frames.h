@@ -21,10 +21,12 @@ class FilmFrames {
  public:
   FilmFrames(const RunRecord& run, const std::filesystem::path& directory);
 
-  // Along the axis of the film: mm of the first plate's way if it moves (by_way), else ms.
+  // Along the axis of the film: mm of the first plate's way if it moves, or of the first driven nodes (by_way), else ms.
   bool by_way() const { return by_way_; }
+  bool driven() const { return driven_; }  // nodes of a lattice, and no plate
   const std::vector<double>& at() const { return at_; }
   const std::vector<double>& force_at() const { return force_at_; }
+  const std::vector<double>& force() const { return force_; }                // N, on the plate or the driven nodes
   const std::vector<std::pair<double, int>>& torn() const { return torn_; }  // where, which link
 
   const FilmBox& box() const { return box_; }
@@ -45,13 +47,14 @@ class FilmFrames {
 
  private:
   void find_axis(const RunRecord& run, const std::filesystem::path& directory);
+  void find_driven_axis(const RunRecord& run, const std::filesystem::path& directory);
   void find_box(const RunRecord& run);
   void add_discs(const Frame& frame);
   void add_lattices(const RunRecord& run, const Frame& frame, std::vector<double>& nodes);
   void add_place(std::vector<std::int16_t>& places, double x, double y) const;
 
-  bool by_way_ = false;
-  std::vector<double> at_, force_at_, radii_;
+  bool by_way_ = false, driven_ = false;
+  std::vector<double> at_, force_at_, force_, radii_;
   std::vector<std::pair<double, int>> torn_;
   std::vector<std::pair<double, double>> plates_;
   FilmBox box_;

@@ -84,12 +84,23 @@ std::string framed(const Page& page, const FigureFrame& figure) {
 }
 
 std::string chip_or_words(const std::string& words) {
-  static const std::map<std::string, std::pair<const char*, const char*>> chips{
-      {"reproduced", {"good", "✓"}},    {"reproduced in kind", {"partly", "≈"}},
-      {"not reproduced", {"bad", "✗"}}, {"not testable", {"none", "–"}},
-      {"kept", {"good", "✓"}},          {"allowed", {"partly", "!"}},
-      {"warned", {"bad", "✗"}},         {"broken", {"bad", "✗"}},
-      {"not watched", {"none", "–"}},   {"no: not ranked", {"bad", "✗"}}};
+  static const std::map<std::string, std::pair<const char*, const char*>> chips{{"reproduced", {"good", "✓"}},
+                                                                                {"reproduced in kind", {"partly", "≈"}},
+                                                                                {"not reproduced", {"bad", "✗"}},
+                                                                                {"not testable", {"none", "–"}},
+                                                                                {"kept", {"good", "✓"}},
+                                                                                {"allowed", {"partly", "!"}},
+                                                                                {"warned", {"bad", "✗"}},
+                                                                                {"broken", {"bad", "✗"}},
+                                                                                {"not watched", {"none", "–"}},
+                                                                                {"no: not ranked", {"bad", "✗"}},
+                                                                                {"below the limit", {"good", "✓"}},
+                                                                                {"above the limit", {"bad", "✗"}},
+                                                                                {"right", {"good", "✓"}},
+                                                                                {"lower order", {"partly", "≈"}},
+                                                                                {"another law", {"bad", "✗"}},
+                                                                                {"failed", {"bad", "!"}},
+                                                                                {"cannot", {"none", "–"}}};
   const auto found = chips.find(words);
   if (found == chips.end()) return escaped(words);
   return std::string("<span class=\"chip ") + found->second.first + "\"><span aria-hidden=\"true\">" +

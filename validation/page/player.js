@@ -216,7 +216,7 @@
     c.textAlign = "center";
     const dx = nice(end, narrow ? 4 : 9);
     for (let at = 0; at <= end * 1.0001; at += dx) c.fillText(+at.toPrecision(4), px(at), height - 16);
-    c.fillText(films[0].axis === "mm" ? "displacement of the plate [mm]" : "time [ms]", (left + width - right) / 2, height - 3);
+    c.fillText(films[0].axis === "mm" ? "displacement of the " + films[0].tool + " [mm]" : "time [ms]", (left + width - right) / 2, height - 3);
     c.textAlign = "left";
     c.fillText("F [N]", 2, 11);
     films.forEach((film, which) => {
@@ -312,7 +312,7 @@
       this.stage = make("div", { className: "stage" });
       this.curve = make("canvas", { className: "curve", tabIndex: 0 });
       this.curve.setAttribute("role", "slider");
-      this.curve.setAttribute("aria-label", "Force on the plate against its displacement: choose a moment");
+      this.curve.setAttribute("aria-label", "Force on the " + this.first.tool + " against the displacement: choose a moment");
       this.curve.setAttribute("aria-valuemin", "0");
       this.curve.setAttribute("aria-valuemax", words(this.end, 4));
       this.marks = make("div", { className: "controls" }, "pictures at ");

@@ -9,9 +9,11 @@
 #include "report/embedded.h"
 #include "validation/page/film.h"
 #include "validation/page/html.h"
+#include "validation/page/judgements.h"
 #include "validation/page/observables.h"
 #include "validation/page/page.h"
 #include "validation/page/page_parts.h"
+#include "validation/page/report_films.h"
 #include "validation/page/scene_section.h"
 #include "validation/page/studies.h"
 #include "validation/page/summary.h"
@@ -117,52 +119,16 @@ std::string line_of(const std::string& id, const std::string& number, const std:
   return "<li><a href=\"#" + id + "\"><span>" + number + "</span> " + words + "</a></li>\n";
 }
 
-using Films = std::map<std::string, std::vector<Film>>;  // by the name of the run
-
-// Displacements of the plate where the stills are. mm
-std::vector<double> places_of(const RunRecord& run, const std::vector<double>& stills) {
-  std::vector<double> places;
-  for (const double t : stills) places.push_back(plate_speed(run) * t);
-  return places;
-}
-
-std::vector<Film> films_of(const ReportedRun& reported, const RunRecord& run) {
-  std::vector<Film> films;
-  const auto add = [&](const std::string& id, const std::string& label, const RunRecord& shown,
-                       const std::filesystem::path& directory) {
-    if (shown.frames.size() >= least_film)
-      films.push_back({id, label, film_of(shown, directory, places_of(run, reported.stills))});
-  };
-  add("film_" + run.name, "as on this page", run, reported.directory);
-  for (std::size_t k = 0; k < reported.others.size() && !films.empty(); ++k) {
-    const OtherRun& other = reported.others[k];
-    const RunRecord record = read_run(run.name, other.directory);
-    add("film_" + run.name + "_" + std::to_string(k + 1), other.label + (record.finished() ? "" : ", ended early"),
-        record, other.directory);
-  }
-  return films;
-}
-
-// The run as if it had been asked for its stills alone: what the page says of pictures is of those that the paper has.
-void keep_stills(RunRecord& run, const std::vector<double>& stills) {
-  if (stills.empty()) return;
-  const double near = plate_speed(run) * 2 * run.scene.time.step + 1e-9;  // mm
-  std::vector<Frame> kept;
-  for (const double place : places_of(run, stills)) {
-    for (Frame& frame : run.frames) {
-      if (std::fabs(frame.mm - place) > near) continue;
-      kept.push_back(std::move(frame));
-      break;
-    }
-  }
-  run.frames = std::move(kept);
-  run.scene.output.frames = stills;
-}
-
 class PageWriter {
  public:
-  PageWriter(const std::vector<RunRecord>& runs, const Films& films, const Evidence& evidence, Page& page)
-      : runs_(runs), films_(films), evidence_(evidence), page_(page), studies_(study_results(evidence)) {}
+  PageWriter(const std::vector<RunRecord>& runs, const Films& films, const Besides& besides, const Evidence& evidence,
+             Page& page)
+      : runs_(runs),
+        films_(films),
+        besides_(besides),
+        evidence_(evidence),
+        page_(page),
+        studies_(study_results(evidence)) {}
 
   std::string html() {
     std::string contents, parts, films;
@@ -202,9 +168,19 @@ class PageWriter {
             line_of(run.name, here,
                     "Scene " + run.name.substr(run.name.rfind('_') + 1) +
                         (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
-        text.html += scene_section(run, paper_, here,
-                                   films_.contains(run.name) ? player_element(films_.at(run.name)) : "", page_);
+        text.html += scene_section(run, paper_, here, besides_.at(run.name), page_);
       }
+    }
+    if (part.id == "scenes" && films_.contains("tool")) {
+      const std::string here = next();
+      text.contents += line_of("tool", here, "A tool that bends");
+      text.html += "<section id=\"tool\">\n" +
+                   heading(3, page_.id("a tool that bends"), element("span", here, "section") + "A tool that bends") +
+                   element("p",
+                           "The paper leaves a deformable tool to later. Here a lattice whose upper end is driven is "
+                           "drawn through the bed of scene 2; beside it the same lattice with all its nodes driven, "
+                           "which is rigid. The curve is the force on the driven nodes.") +
+                   player_element(films_.at("tool")) + "</section>\n";
     }
     if (part.id == "right") {
       text.contents += line_of("verification", next(), "Checks");
@@ -218,6 +194,11 @@ class PageWriter {
           line_of("study_" + study.name, here, typeset(escaped(study.report.at("title").get<std::string>())));
       text.html += study_section(study, here, page_);
     }
+    if (part.id == "fast") {
+      const std::string here = next();
+      text.contents += line_of("judgements", here, "Engines judged by the same cases");
+      text.html += judgements_section(evidence_.judgements, here, page_);
+    }
     if (part.id == "made")
       text.html += ages(studies_, page_) + how_made(runs_, page_) +
                    element("p",
@@ -229,6 +210,7 @@ class PageWriter {
 
   const std::vector<RunRecord>& runs_;
   const Films& films_;
+  const Besides& besides_;
   const Evidence& evidence_;
   Page& page_;
   std::vector<StudyResult> studies_;
@@ -239,16 +221,21 @@ class PageWriter {
 
 std::vector<std::string> page_files() { return {"index.html", "scenes.md"}; }
 
-void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& reported, const Evidence& evidence) {
+void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& reported, const Evidence& evidence,
+                  const std::vector<OtherRun>& tools) {
   std::vector<RunRecord> runs;
   Films films;
+  Besides besides;
+  const Shelf shelf(evidence.studies);
   for (const ReportedRun& r : reported) {
     runs.push_back(read_run(r.name, r.directory));
     films[r.name] = films_of(r, runs.back());
+    besides[r.name] = {player_element(films[r.name]), force_band(shelf, r.name), by_step(r, runs.back())};
     keep_stills(runs.back(), r.stills);
   }
+  add_tool_films(tools, films);
   Page page;
-  const std::string html = PageWriter(runs, films, evidence, page).html();
+  const std::string html = PageWriter(runs, films, besides, evidence, page).html();
   Drawings& files = page.files;
   files["index.html"] = html;
   files["scenes.md"] = scene_table(runs) + "\nWhat they do to the validity of their laws:\n\n" + validity_table(runs);

@@ -14,6 +14,8 @@ namespace furrow::validation {
 struct OtherRun {
   std::string label;
   std::filesystem::path directory;
+  bool same_but_step = false;  // the same scene by another step
+  bool plays = true;           // in the player
 };
 
 struct ReportedRun {
@@ -31,6 +33,8 @@ std::vector<std::string> page_files();
 // Writes index.html, which needs no other file, scenes.md, and the figures beside them as SVG. Runs that diverged or
 // were interrupted are shown as such. Throws std::runtime_error: gnuplot missing, a file missing or malformed; then
 // nothing is written.
-void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& runs, const Evidence& evidence = {});
+// `tools`: runs of one scene with a driven lattice, for a player of their own.
+void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& runs, const Evidence& evidence = {},
+                  const std::vector<OtherRun>& tools = {});
 
 }  // namespace furrow::validation

@@ -46,15 +46,18 @@ class SceneSection {
     }
   }
 
-  std::string html(const std::string& number, const std::string& player) const {
+  std::string html(const std::string& number, const SceneBeside& beside) const {
     return filled(page_file("scene.html"),
                   {{"id", page_.id(run_.name)},
                    {"heading", heading(3, page_.id(run_.name + " scene"),
                                        element("span", number, "section") + escaped(run_.scene.title))},
                    {"ending", ending(run_)},
-                   {"player", player},
-                   {"force", force()},
+                   {"player", beside.player},
+                   {"force", force(beside.band)},
                    {"energy", energy()},
+                   {"by_step", step_figure(run_, beside.by_step, page_)},
+                   {"overlaps", overlap_figure(run_, page_)},
+                   {"tears", tear_figure(run_, page_)},
                    {"snapshots", snapshots(run_, page_)},
                    {"validity", validity_part(run_, page_)},
                    {"statements_heading", heading(4, page_.id(run_.name + " beside the paper"), "Beside the paper")},
@@ -67,7 +70,7 @@ class SceneSection {
 
   std::string figure_name(const char* what) const { return run_.name + "_" + what; }
 
-  std::string force() const {
+  std::string force(const ForceBand& packings) const {
     const ForceCurve& c = run_.force;
     if (c.mm.empty()) return element("p", "Force on the plate: " + missing);
     double low = 0, high = 0;
@@ -89,6 +92,11 @@ class SceneSection {
       levels.push_back({{window[0], window[1], s.value, under ? 1.0 : 0.0}, s.label});
       reach(s.value);
     }
+    std::vector<PlotInput::Row> band;
+    for (std::size_t k = 0; k < packings.mm.size(); ++k) {
+      band.push_back({{packings.mm[k], packings.low[k], packings.high[k]}, ""});
+      reach(packings.high[k]);
+    }
     if (low == high) high = 1;
     PlotInput input;
     input.set("end", travel(run_))
@@ -100,7 +108,9 @@ class SceneSection {
         .block("force", curve)
         .block("peaks", peaks)
         .block("levels", levels)
-        .block("uprights", uprights);
+        .block("uprights", uprights)
+        .block("band", band);
+    input.set("packings", static_cast<double>(packings.packings));
     return framed(page_,
                   {page_.id("figure " + figure_name("force")),
                    plot(drawn(input, "force.gp", page_.files, figure_name("force"),
@@ -108,7 +118,10 @@ class SceneSection {
                                   bare(largest()))),
                    "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
                    "sum is largest, " +
-                       largest() + "; dotted: the numbers that the paper gives.",
+                       largest() + "; dotted: the numbers that the paper gives." +
+                       (band.empty() ? ""
+                                     : " Shaded: where the largest force in every 5 mm lies for nine tenths of " +
+                                           std::to_string(packings.packings) + " packings."),
                    figure_name("force")});
   }
 
@@ -227,8 +240,8 @@ std::string fact_shown(const RunRecord& run, const std::string& key) {
 }
 
 std::string scene_section(const RunRecord& run, const Publication& paper, const std::string& number,
-                          const std::string& player, Page& page) {
-  return SceneSection(run, paper, page).html(number, player);
+                          const SceneBeside& beside, Page& page) {
+  return SceneSection(run, paper, page).html(number, beside);
 }
 
 }  // namespace furrow::validation

@@ -96,8 +96,10 @@ std::string figure_of(const ordered_json& part, Page& page) {
   }
   const std::string name = part.at("name");
   const std::string svg = drawn(input, part.at("script"), page.files, name, part.at("description"));
-  return framed(page,
-                {page.id("figure " + name), "<div class=\"plot\">" + svg + "</div>", text(part, "caption"), name});
+  const std::string html =
+      framed(page, {page.id("figure " + name), "<div class=\"plot\">" + svg + "</div>", text(part, "caption"), name});
+  if (part.value("folded", "").empty()) return html;
+  return "<details class=\"unfold\">" + element("summary", text(part, "folded")) + html + "</details>\n";
 }
 
 std::string listed(const std::vector<std::string>& all, std::size_t most) {
@@ -157,6 +159,7 @@ std::vector<StudyResult> study_results(const Evidence& evidence) {
     const auto study = std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
                                     [&](const Study& s) { return s.name == name; });
     StudyResult result{name, study->chapter(shelf).json(), "", age_of(shelf.of(name), study->sources())};
+    for (const Maker& maker : shelf.of(name).makers()) result.machines.insert(maker.machine);
     std::vector<std::string> read{name};
     read.insert(read.end(), study->reads.begin(), study->reads.end());
     for (const Study& other : evidence.catalogue) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct StudyResult {
   std::string age;  // HTML: when, by which commit and machine the numbers were made, and what changed since
   Age numbers;      // of its own numbers
   bool old_times = false;
+  std::set<std::string> machines{};  // that its numbers were made on
 };
 
 // Those of all studies that can be shown, in the order of the page; what cannot is said by missing_evidence.

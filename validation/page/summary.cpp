@@ -6,6 +6,8 @@
 #include "output/build_info.h"
 #include "output/machine.h"
 #include "validation/page/html.h"
+#include "validation/page/judgements.h"
+#include "validation/page/mutants.h"
 #include "validation/page/page_parts.h"
 
 namespace furrow::validation {
@@ -29,6 +31,8 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
   if (v.faults > 0)
     words +=
         " " + grouped(v.noticed) + " of " + grouped(v.faults) + " faults put into the source on purpose were noticed.";
+  if (const std::string edits = mutants_in_short(evidence.mutants); !edits.empty())
+    words += " Tests notice " + edits + ".";
   words += " " + std::to_string(ended) + " of " + std::to_string(runs.size()) + " scenes came to their end.";
   return "<p id=\"verdict\" class=\"verdict " + std::string(good ? "good" : "bad") + "\"><span class=\"chip " +
          (good ? "good\">✓ good" : "bad\">✗ not good") + "</span> " + words + "</p>\n";
@@ -76,6 +80,8 @@ std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& s
     tiles[0].text = "checks against closed forms hold.";
   }
   take_headlines(studies, tiles);
+  const auto engines = std::find_if(tiles.begin(), tiles.end(), [](const Tile& t) { return t.id == "engines"; });
+  engines->text += " " + judged_in_short(evidence.judgements);
   std::string html;
   for (const Tile& t : tiles) {
     const std::string value = t.value.empty() ? missing : t.value;
@@ -100,24 +106,44 @@ std::string finding(const std::vector<StudyResult>& studies, Page& page) {
 }
 
 std::string failing(const std::vector<StudyResult>& studies) {
-  std::string rows;
-  std::size_t count = 0, all = 0;
+  std::string rows, waiting;
+  std::size_t count = 0, all = 0, old = 0;
   for (const StudyResult& study : studies) {
     all += claims_in(study);
     for (const Refuted& claim : refuted_claims(study)) {
+      if (claim.old) {
+        waiting += (old++ == 0 ? "" : ", ") + ("<a href=\"#" + claim.id + "\">" + claim.value + "</a>");
+        continue;
+      }
       ++count;
       rows += "<li><strong>" + (claim.value.empty() ? "no value" : claim.value) + "</strong>" +
-              (claim.aim.empty() ? "" : " (aim: " + claim.aim + ")") +
-              (claim.old ? ", by times older than the solver" : "") + ": " + claim.text + " <a href=\"#" + claim.id +
+              (claim.aim.empty() ? "" : " (aim: " + claim.aim + ")") + ": " + claim.text + " <a href=\"#" + claim.id +
               "\">where</a></li>\n";
     }
   }
   if (all == 0) return {};
   const std::string head =
-      count == 0 ? "All " + std::to_string(all) + " claims of this page hold"
-                 : std::to_string(count) + " of this page's own " + std::to_string(all) + " claims do not hold";
+      count + old == 0 ? "All " + std::to_string(all) + " claims of this page hold"
+                       : std::to_string(count) + " of this page's own " + std::to_string(all) + " claims do not hold";
+  if (old > 0)
+    waiting = element("p",
+                      std::to_string(old) +
+                          " more rest on times that are older than the solver, and are not counted as "
+                          "kept until they are measured again: " +
+                          waiting + ".",
+                      "note");
   return "<section id=\"failing\" class=\"failing\"><h2>" + head + "</h2>" + (rows.empty() ? "" : element("ul", rows)) +
-         "</section>\n";
+         waiting + "</section>\n";
+}
+
+// "2026-01-31"; of results that do not say when, a dash.
+std::string when(const std::string& utc) { return utc.size() < 10 ? "–" : utc.substr(0, 10); }
+
+std::string makers_of(const StudyResult& study) {
+  std::string commits, machines;
+  for (const std::string& commit : study.numbers.commits) commits += (commits.empty() ? "" : ", ") + escaped(commit);
+  for (const std::string& machine : study.machines) machines += (machines.empty() ? "" : ", ") + escaped(machine);
+  return commits + element("small", machines);
 }
 
 }  // namespace
@@ -134,16 +160,17 @@ std::string ages(const std::vector<StudyResult>& studies, Page& page) {
     rows += element("tr", "<th scope=\"row\"><a href=\"#study_" + study.name + "\">" +
                               typeset(escaped(study.report.at("title").get<std::string>())) + "</a></th>" +
                               element("td", std::to_string(study.numbers.results), "number") +
-                              element("td", study.numbers.first.substr(0, 10)) +
-                              element("td", study.numbers.last.substr(0, 10)) + element("td", age_chip(study.numbers)) +
+                              element("td", when(study.numbers.first), "when") +
+                              element("td", when(study.numbers.last), "when") + element("td", makers_of(study)) +
+                              element("td", age_chip(study.numbers)) +
                               element("td", "<code>furrow study " + study.name + "</code>"));
   }
   if (rows.empty()) return {};
   return framed({page.id("table ages"),
                  "When the kept numbers of each section were made, and whether the solver has changed since.",
                  "Ages of the kept numbers", "study",
-                 head_cell("Section") + head_cell("Results", true) + head_cell("Oldest of") + head_cell("Newest of") +
-                     head_cell("Against today's solver") + head_cell("Made by"),
+                 head_cell("Section") + head_cell("Results", true) + head_cell("Oldest") + head_cell("Newest") +
+                     head_cell("By commit, on machine") + head_cell("Against today's solver") + head_cell("Made by"),
                  rows});
 }
 

@@ -12,6 +12,7 @@
 #include "report/seal.h"
 #include "validation/page/faults.h"
 #include "validation/page/html.h"
+#include "validation/page/mutants.h"
 #include "validation/page/packed.h"
 #include "validation/page/template.h"
 
@@ -209,7 +210,7 @@ std::string verification_section(const Evidence& evidence, const std::string& nu
          heading(3, page.id("faults"), element("span", number + ".2", "section") + "Faults that they notice") +
          (none ? missing_part(why, "No fault study here: the page was made without one (--faults).")
                : faults_part(read_sealed(evidence.faults), page)) +
-         "</section>\n";
+         mutants_part(evidence.mutants, page) + "</section>\n";
 }
 
 }  // namespace furrow::validation

@@ -8,23 +8,10 @@
 #include "output/files.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/convergence_headline.h"
+#include "validation/page/chapters/convergence_settled.h"
 
 namespace furrow::validation {
 namespace {
-
-constexpr double agreement = 0.02;  // of a number: what "the same" means where nothing is chaotic
-
-bool failed(const Numbers& results, const ConvergenceRun& one) {
-  const Json& got = results.at(one.key());
-  return !got.contains("values") || got["ended"] != "finished";
-}
-
-// NaN where the run did not get to the end, or does not say.
-double value_in(const Numbers& results, const ConvergenceRun& one, const std::string& id) {
-  if (failed(results, one)) return NAN;
-  const Json& values = results.at(one.key())["values"];
-  return values.contains(id) ? values[id].get<double>() : NAN;
-}
 
 struct Row {
   std::string id, quantity;
@@ -38,30 +25,6 @@ std::vector<Row> rows_of(const std::string& scene) {
       rows.push_back({s.id, s.quantity + (s.unit.empty() ? "" : " [" + s.unit + "]"), s.value});
   }
   return rows;
-}
-
-// The coarsest step from which on every number stays within what chaos or `agreement` allows of the finest; NaN: none.
-double settled_from(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
-                    const std::string& id, double spread) {
-  const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
-  const double allowed = std::max(spread, agreement * std::fabs(finest));
-  double from = NAN;
-  for (auto step = plan.steps.rbegin() + 1; step != plan.steps.rend(); ++step) {
-    if (!(std::fabs(value_in(results, {c, "pece", *step}, id) - finest) <= allowed)) break;
-    from = *step;
-  }
-  for (const std::string& method : plan.others) {
-    if (!(std::fabs(value_in(results, {c, method, plan.others_step}, id) - finest) <= allowed)) return NAN;
-  }
-  return from;
-}
-
-double spread_of(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c, const std::string& id) {
-  const double base = value_in(results, {c, "pece", plan.nudged_step}, id);
-  double spread = 0;
-  for (int n = 1; n <= plan.nudged_runs; ++n)
-    spread = std::max(spread, std::fabs(value_in(results, {c, "pece", plan.nudged_step, n}, id) - base));
-  return spread;
 }
 
 std::string text_of(double step) { return number(std::round(1e7 * step) / 1e4) + " ms"; }

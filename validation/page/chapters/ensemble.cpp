@@ -3,6 +3,7 @@
 #include "validation/studies/ensemble.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "validation/page/chapters/chapters.h"
@@ -47,8 +48,8 @@ void add_distributions(Report& report, const std::string& group, const std::vect
   if (rows.empty()) return;
   report.heading("Scene " + group.substr(9, 1) + "," + group.substr(10) + "s, " + std::to_string(members.size()) +
                  " packings");
-  report.table("What the packing alone does to each number. Members in which a thing does not happen say no number.",
-               {"number", "members that say it", "median", "95 % interval of the median", "5 % to 95 % of the members",
+  report.table("What the packing alone does to each number. Runs without the event are left out.",
+               {"number", "runs with the event", "median", "95 % interval of the median", "5 % to 95 % of the runs",
                 "standard deviation"},
                rows);
 }
@@ -59,6 +60,13 @@ Json distribution(const Sample& sample) {
   for (std::size_t k = 0; k < sample.numbers.size(); ++k)
     rows.push_back({sample.numbers[k], (static_cast<double>(k) + 0.5) / static_cast<double>(sample.numbers.size())});
   return rows;
+}
+
+double paper_value(const std::string& id) {
+  for (const Statement& s : the_paper().statements) {
+    if (s.id == id) return s.value;
+  }
+  return NAN;
 }
 
 Figure figure_of(const Groups& groups) {
@@ -74,6 +82,8 @@ Figure figure_of(const Groups& groups) {
               "Largest force on the plate over the packings, as distribution functions; the upright lines are the "
               "paper's single runs.",
           .description = "Distribution functions of the largest force for scenes 2 and 3",
+          .variables = {{"paper_two", paper_value("largest_force_discs")},
+                        {"paper_three", paper_value("largest_force_coupled")}},
           .blocks = blocks};
 }
 
@@ -108,7 +118,7 @@ void add_few(Report& report, const Numbers& numbers, const std::vector<Json>& me
               " % of the draws from the other half fail. A packing that does not run to its end fails it always.");
   report.table("How often a change of the model makes it fail, by drawing " + std::to_string(few) + " of " +
                    std::to_string(changed_members) + " packings.",
-               {"changed", "by", "noticed [%]", "so"}, rows_of_changes(numbers, norm, false_alarms));
+               {"changed", "by", "noticed [%]", "verdict"}, rows_of_changes(numbers, norm, false_alarms));
 }
 
 }  // namespace
@@ -117,7 +127,7 @@ Report ensemble(const Shelf& shelf) {
   const Numbers& numbers = shelf.of("ensemble");
   const Groups groups = members_in(numbers);
   Report report(
-      "How much is the packing?",
+      "How much does the packing matter?",
       "Each of the paper's runs has one random packing of the bed. Which of its numbers would another packing "
       "have given too?");
   std::size_t runs = 0, failed = 0;

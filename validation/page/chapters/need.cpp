@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -117,7 +118,7 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
 }
 
 void add_subject(Report& report, const Numbers& numbers, const Subject& subject) {
-  report.heading(subject.name);
+  report.heading(scene_words(subject.name));
   std::vector<std::string> head{"without"};
   std::vector<Json> limit{"tolerance"};
   const Values tolerance = tolerances(numbers, subject);
@@ -126,7 +127,7 @@ void add_subject(Report& report, const Numbers& numbers, const Subject& subject)
     head.emplace_back(observables[o]);
     limit.emplace_back(amount(static_cast<int>(o), tolerance[o]));
   }
-  head.insert(head.end(), {"CPU saved", "so"});
+  head.insert(head.end(), {"CPU saved", "verdict"});
   std::vector<std::vector<Json>> rows{limit};
   std::string spare;
   for (const Term& term : terms_of(subject)) {

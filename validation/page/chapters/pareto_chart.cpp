@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/work_precision_found.h"
 
 namespace furrow::validation {
@@ -45,8 +46,8 @@ void add_summary(Report& report, const std::vector<Found>& all) {
       const double error = std::max(paper->error_by(all[k].info.by_force), floor_of(all[k]));
       stars.push_back({k, paper->cpu, error});
     }
-    if (!front.empty()) names.push_back({k, front.back().cpu, front.back().error, all[k].info.name});
-    said += (said.empty() ? "" : ", ") + all[k].info.name;
+    if (!front.empty()) names.push_back({k, front.back().cpu, front.back().error, scene_words(all[k].info.name)});
+    said += (said.empty() ? "" : ", ") + scene_words(all[k].info.name);
   }
   report.heading("All problems in one figure");
   report.figure(

@@ -122,16 +122,16 @@ double end_of(const furrow::Numbers& numbers, int cells) { return numbers.at(ben
 void add_bent(Report& report, const furrow::Numbers& numbers) {
   Figure figure{"bent_lattice", "bent_lattice.gp", {}, {}};
   std::vector<std::vector<Json>> rows;
-  Json names = Json::array();
+  Json names = Json::array(), curves = Json::array();
   for (std::size_t k = 0; k < bent_cells().size(); ++k) {
     const int cells = bent_cells()[k];
-    figure.blocks["cells_" + std::to_string(k + 1)] = numbers.at(bent_key(cells));
+    for (const Json& row : numbers.at(bent_key(cells))) curves.push_back({k + 1, row[0], row[1]});
     names.push_back({k + 1, std::to_string(cells) + " cells"});
     rows.push_back({cells, end_of(numbers, cells), 1 / (1 + 9.0 / (4 * cells))});
   }
   const int finest = bent_cells().back();
   figure.variables = {{"count", bent_cells().size()}, {"slender", slenderness}};
-  figure.blocks["names"] = names;
+  figure.blocks = {{"cells", curves}, {"names", names}};
   const std::string reached = percent(end_of(numbers, finest), 3);
   figure.caption =
       "A clamped lattice, " + rounded(slenderness, 2) +

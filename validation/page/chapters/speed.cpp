@@ -42,7 +42,7 @@ double ratio_of(const Json& program) { return program.at("ratio")[1].get<double>
 // The first screen. same: null if no program of the same law agrees.
 void add_headlines(Report& report, const Json& pece, const Json& best, const Json* same) {
   report.headline({.tile = "fast",
-                   .value = in_digits(pece.at("cpu_time").get<double>(), 3) + " us a step",
+                   .value = in_digits(pece.at("cpu_time").get<double>(), 3) + " µs a step",
                    .text = "of the paper's method, two evaluations, in a bed of 230 discs on one core."});
   const Json& first = same ? *same : best;
   std::string text = "takes " + first.at("run_name").get<std::string>() + " (" + first.at("label").get<std::string>() +
@@ -94,7 +94,7 @@ void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
               widest_bound(numbers));
   report.table(
       "CPU time of a step over that of furrow with one evaluation a step: median and its 95 % interval",
-      {"program", "contact law", "us a step", "CPU time, ratio", "ns a contact", "height [m]", "push [N]", "agrees"},
+      {"program", "contact law", "µs a step", "CPU time, ratio", "ns a contact", "height [m]", "push [N]", "agrees"},
       rows);
   report.figure(
       {.name = "speed_rivals",

@@ -18,6 +18,11 @@ const Json* kernel_of(const Json& line, const std::string& name) {
   return nullptr;
 }
 
+// "d1151cc, 2026-01-31"
+std::string dated(const Json& line) {
+  return line.at("commit").get<std::string>() + ", " + line.value("date", "").substr(0, 10);
+}
+
 // Instructions of each kernel over those of its first line, in percent, commit by commit.
 Figure trend_of(const std::vector<Json>& lines) {
   Figure figure{.name = "speed_trend",
@@ -43,8 +48,8 @@ Figure trend_of(const std::vector<Json>& lines) {
   }
   figure.variables["panels"] = panel;
   figure.variables["commits"] = lines.size();
-  figure.variables["first_commit"] = lines.front().at("commit");
-  figure.variables["last_commit"] = lines.back().at("commit");
+  figure.variables["first_commit"] = dated(lines.front());
+  figure.variables["last_commit"] = dated(lines.back());
   figure.blocks["points"] = points;
   return figure;
 }

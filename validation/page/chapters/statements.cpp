@@ -8,6 +8,7 @@
 
 #include "output/files.h"
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/statements_why.h"
 #include "validation/studies/kept_ensemble.h"
 #include "validation/studies/observed_run.h"
 #include "validation/studies/verdict.h"
@@ -32,7 +33,8 @@ std::string said(const Statement& s) {
 }
 
 std::string interval(double low, double high, std::size_t members) {
-  return members < 6 ? "–" : three_digits(low) + " to " + three_digits(high);
+  if (members < 6) return "–";
+  return low == high ? "always " + three_digits(low) : three_digits(low) + " to " + three_digits(high);
 }
 
 // The median with its unit, or what most runs say in words.
@@ -65,7 +67,7 @@ const Numbers& with_members(const Shelf& shelf) {
   }
 }
 
-void judge(Report& report, const Groups& groups) {
+void judge(Report& report, const Groups& groups, const Reasons& reasons) {
   std::vector<std::vector<Json>> rows;
   std::map<std::string, int> count;
   std::size_t missing = 0;
@@ -80,7 +82,8 @@ void judge(Report& report, const Groups& groups) {
       const auto [low, high] = sample.median_interval();
       rows.push_back({scene == "scenario_1" ? "1" : scene.substr(9) + ", " + group.substr(group.find(' ') + 1) + "s",
                       s.quantity, said(s), ours(s, sample), runs(sample), interval(low, high, sample.numbers.size()),
-                      interval(sample.quantile(0.05), sample.quantile(0.95), sample.numbers.size()), verdict});
+                      interval(sample.quantile(0.05), sample.quantile(0.95), sample.numbers.size()), verdict,
+                      reasons.why(s, sample, group, verdict)});
     }
   }
   std::string counts;
@@ -100,7 +103,7 @@ void judge(Report& report, const Groups& groups) {
       "validation/statements.toml.");
   report.table("Every statement of the paper, judged. Numbers of an ensemble are the median of the runs that say one.",
                {"scene", "statement", "the paper", "ours", "runs", "95 % interval of the median",
-                "5 % to 95 % of the packings", "verdict"},
+                "5 % to 95 % of the packings", "verdict", "why not"},
                rows);
   report.claim({.text = "Every statement has a number of ours to be judged by.",
                 .value = std::to_string(rows.size() - missing) + " of " + std::to_string(rows.size()),
@@ -134,18 +137,30 @@ const std::map<std::string, Readings>& readings() {
 
 Json shown_in(const Json& run, const std::string& id) {
   if (run.contains(id)) return run[id];
-  return run.contains("failed") ? "does not run: " + run["failed"].get<std::string>() : std::string("–");
+  return run.contains("failed") ? "does not run" : "–";
+}
+
+std::string quantity_of(const std::string& id) {
+  if (id == "mean_force") return "Mean force [N]";
+  for (const Statement& s : the_paper().statements) {
+    if (s.id == id) return s.quantity + (s.unit.empty() ? "" : " [" + s.unit + "]");
+  }
+  return id;
 }
 
 // As read: the first packing of the members.
 void add_gaps(Report& report, const Numbers& numbers, const Groups& groups) {
   std::vector<std::vector<Json>> rows;
+  std::string failures;
   for (const Gap& gap : gaps(numbers.quick())) {
     const Readings& words = readings().at(gap.setting);
     const Json &as_read = groups.at(gap.scene + " disc").at(0), &otherwise = numbers.at(gap.key());
     for (const std::string& id : gap.shown)
-      rows.push_back({words.what, words.ours, words.other, gap.setting, gap.scene.substr(9), id, shown_in(as_read, id),
-                      shown_in(otherwise, id)});
+      rows.push_back({words.what, words.ours, words.other, gap.setting, gap.scene.substr(9), quantity_of(id),
+                      shown_in(as_read, id), shown_in(otherwise, id)});
+    if (otherwise.contains("failed"))
+      failures += " With " + gap.setting + " scene " + gap.scene.substr(9) +
+                  " does not run: " + otherwise["failed"].get<std::string>() + ".";
   }
   report.heading("Gaps and misprints, tried both ways");
   report.text(
@@ -153,7 +168,9 @@ void add_gaps(Report& report, const Numbers& numbers, const Groups& groups) {
       "one packing. The sign printed in Eq. (1) cannot be run, the lattice flies to pieces: that is shown by a page of "
       "the "
       "verification, RigidMotion. All decisions, with their reasons, stand in validation/decisions.md.");
-  report.table("", {"point", "furrow's reading", "the other", "key", "scene", "number", "as read", "otherwise"}, rows);
+  if (!failures.empty()) report.text(failures.substr(1));
+  report.table("The numbers with furrow's reading and with the other.",
+               {"point", "furrow's reading", "the other", "key", "scene", "number", "as read", "otherwise"}, rows);
 }
 
 }  // namespace
@@ -163,7 +180,7 @@ Report statements(const Shelf& shelf) {
                 "Which of the paper's statements does its model bear out, if scenes 2 and 3 are run over many packings "
                 "of the bed instead of one?");
   const Groups groups = members_in(with_members(shelf));
-  judge(report, groups);
+  judge(report, groups, Reasons(shelf));
   add_gaps(report, shelf.of("statements"), groups);
   return report;
 }

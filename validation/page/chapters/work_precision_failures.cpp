@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/work_precision_found.h"
 
 namespace furrow::validation {
@@ -40,11 +41,11 @@ void add_failures(Report& report, const std::vector<Found>& all) {
   std::vector<std::string> head{"method"};
   std::string example;
   for (const Found& f : all) {
-    head.push_back(f.info.name);
+    head.push_back(scene_words(f.info.name));
     for (const WorkPrecisionCurve& curve : f.method_curves) {
       if (!curve.left_out.empty()) {
         std::string& scenes = left_out[{curve.name(), bare_reason(curve)}];
-        scenes += (scenes.empty() ? "" : ", ") + f.info.name;
+        scenes += (scenes.empty() ? "" : ", ") + scene_words(f.info.name);
       }
       const WorkPrecisionPoint* finest = finest_failure(curve);
       if (!finest) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/page/chapters/names.h"
+
 namespace furrow::validation {
 
 using namespace benchmarks;
@@ -44,12 +46,12 @@ void add_references(Report& report, const std::vector<Found>& all) {
   std::vector<std::vector<Json>> rows;
   for (const Found& f : all) {
     if (f.reference.contains("failed")) {
-      rows.push_back({f.info.name, "failed: " + f.reference["failed"].get<std::string>()});
+      rows.push_back({scene_words(f.info.name), "failed: " + f.reference["failed"].get<std::string>()});
       continue;
     }
-    rows.push_back({f.info.name, f.info.title, f.info.by_force ? "force curve" : "positions", f.info.reference_step,
-                    f.reference["other"], f.reference["place"], f.reference["force"], floor_of(f),
-                    f.reference["torn"]});
+    rows.push_back({scene_words(f.info.name), f.info.title, f.info.by_force ? "force curve" : "positions",
+                    f.info.reference_step, f.reference["other"], f.reference["place"], f.reference["force"],
+                    floor_of(f), f.reference["torn"]});
   }
   report.table(
       "References: rk4 at a short step, and a method that shares nothing with it. The charts end where the two "
@@ -64,11 +66,12 @@ void add_predictability(Report& report, const std::vector<Found>& all) {
   const auto until = [](const Json& time) { return time.is_null() ? Json("never") : time; };
   for (const Found& f : all) {
     if (f.foretold.contains("failed")) {
-      rows.push_back({f.info.name, "failed: " + f.foretold["failed"].get<std::string>()});
+      rows.push_back({scene_words(f.info.name), "failed: " + f.foretold["failed"].get<std::string>()});
       continue;
     }
     const Json& t = f.foretold["until"];
-    rows.push_back({f.info.name, f.foretold["watched"], f.foretold["grown"], until(t[0]), until(t[1]), until(t[2])});
+    rows.push_back(
+        {scene_words(f.info.name), f.foretold["watched"], f.foretold["grown"], until(t[0]), until(t[1]), until(t[2])});
   }
   report.table(
       "How long the scenes can be foretold: two runs whose starts differ by 1e-12 of each position (pece at "

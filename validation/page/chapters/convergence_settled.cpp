@@ -1,0 +1,58 @@
+#include "validation/page/chapters/convergence_settled.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace furrow::validation {
+namespace {
+
+constexpr double agreement = 0.02;  // of a number: what "the same" means where nothing is chaotic
+
+}  // namespace
+
+bool failed(const Numbers& results, const ConvergenceRun& one) {
+  const Json& got = results.at(one.key());
+  return !got.contains("values") || got["ended"] != "finished";
+}
+
+double value_in(const Numbers& results, const ConvergenceRun& one, const std::string& id) {
+  if (failed(results, one)) return NAN;
+  const Json& values = results.at(one.key())["values"];
+  return values.contains(id) ? values[id].get<double>() : NAN;
+}
+
+double settled_from(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                    const std::string& id, double spread) {
+  const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
+  const double allowed = std::max(spread, agreement * std::fabs(finest));
+  double from = NAN;
+  for (auto step = plan.steps.rbegin() + 1; step != plan.steps.rend(); ++step) {
+    if (!(std::fabs(value_in(results, {c, "pece", *step}, id) - finest) <= allowed)) break;
+    from = *step;
+  }
+  for (const std::string& method : plan.others) {
+    if (!(std::fabs(value_in(results, {c, method, plan.others_step}, id) - finest) <= allowed)) return NAN;
+  }
+  return from;
+}
+
+double spread_of(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c, const std::string& id) {
+  const double base = value_in(results, {c, "pece", plan.nudged_step}, id);
+  double spread = 0;
+  for (int n = 1; n <= plan.nudged_runs; ++n)
+    spread = std::max(spread, std::fabs(value_in(results, {c, "pece", plan.nudged_step, n}, id) - base));
+  return spread;
+}
+
+std::string step_words(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                       const std::string& id) {
+  const double papers = value_in(results, {c, "pece", papers_step}, id),
+               finest = value_in(results, {c, "pece", plan.steps.back()}, id);
+  if (!std::isfinite(papers) || !std::isfinite(finest)) return {};
+  const double from = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
+  if (from >= papers_step) return "does not depend on the step";
+  return "depends on the step: " + three_digits(papers) + " at " + three_digits(1e3 * papers_step) + " ms, " +
+         three_digits(finest) + " at " + three_digits(1e3 * plan.steps.back()) + " ms";
+}
+
+}  // namespace furrow::validation

@@ -1,0 +1,27 @@
+// Whether a number of the kept convergence study depends on the step.
+#pragma once
+
+#include <string>
+
+#include "validation/studies/convergence.h"
+#include "validation/studies/members.h"
+
+namespace furrow::validation {
+
+bool failed(const Numbers& results, const ConvergenceRun& one);
+
+// NaN where the run did not get to the end, or does not say.
+double value_in(const Numbers& results, const ConvergenceRun& one, const std::string& id);
+
+// The coarsest step from which on every number stays within what chaos or 2 % allow of the finest; NaN: none.
+double settled_from(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                    const std::string& id, double spread);
+
+// What a nudge of one body does to it.
+double spread_of(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c, const std::string& id);
+
+// "depends on the step: 278 at 0.1 ms, 75.6 at 0.002 ms"; empty if the study does not say.
+std::string step_words(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                       const std::string& id);
+
+}  // namespace furrow::validation

@@ -1,0 +1,171 @@
+#include "validation/page/judgements.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "output/files.h"
+#include "report/seal.h"
+#include "validation/page/html.h"
+
+namespace furrow::validation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Sign {
+  const char *verdict, *sign, *kind;
+};
+constexpr std::array<Sign, 5> signs{{{"right", "✓", "good"},
+                                     {"lower order", "≈", "partly"},
+                                     {"another law", "✗", "bad"},
+                                     {"failed", "!", "bad"},
+                                     {"cannot", "–", "none"}}};
+
+std::string name_of(const Json& engine) {
+  const std::string program = engine.at("engine"), method = engine.at("method");
+  return program + (method.empty() ? "" : ", " + method);
+}
+
+bool own(const Json& engine) { return engine.at("engine").get<std::string>().starts_with("furrow"); }
+
+// [verdict, words]; null where the engine was not asked.
+Json said_of(const Json& engine, const std::string& name) {
+  const auto found = engine.at("verdicts").find(name);
+  return found == engine.at("verdicts").end() ? Json() : *found;
+}
+
+std::map<std::string, int> counts_of(const Json& engine) {
+  std::map<std::string, int> counts;
+  for (const auto& [name, said] : engine.at("verdicts").items()) ++counts[said.at(0).get<std::string>()];
+  return counts;
+}
+
+std::string count_words(const Json& engine) {
+  const auto counts = counts_of(engine);
+  std::string words;
+  for (const Sign& s : signs) {
+    if (counts.contains(s.verdict))
+      words += (words.empty() ? "" : ", ") + std::to_string(counts.at(s.verdict)) + " " + s.verdict;
+  }
+  return words;
+}
+
+std::string cell_of(const Json& said) {
+  if (said.is_null()) return element("td", "");
+  const std::string verdict = said.at(0);
+  const auto sign = std::find_if(signs.begin(), signs.end(), [&](const Sign& s) { return s.verdict == verdict; });
+  if (sign == signs.end()) return element("td", escaped(verdict));
+  return "<td class=\"judged " + std::string(sign->kind) + "\" title=\"" +
+         escaped(verdict + ": " + said.at(1).get<std::string>()) + "\"><span aria-hidden=\"true\">" + sign->sign +
+         "</span><span class=\"unseen\">" + verdict + "</span></td>\n";
+}
+
+std::string matrix(const Json& kept, Page& page) {
+  std::string head = head_cell("Case"), rows;
+  for (const Json& engine : kept.at("engines"))
+    head += "<th scope=\"col\" class=\"upright\"><span>" + escaped(name_of(engine)) + "</span></th>";
+  for (const auto& [name, title] : kept.at("cases").items()) {
+    std::string cells = "<th scope=\"row\">" + escaped(title.get<std::string>()) + "<small><code>" + escaped(name) +
+                        "</code></small></th>";
+    for (const Json& engine : kept.at("engines")) cells += cell_of(said_of(engine, name));
+    rows += element("tr", cells);
+  }
+  std::string legend;
+  for (const Sign& s : signs) legend += (legend.empty() ? "" : ", ") + std::string(s.sign) + " " + s.verdict;
+  return framed({page.id("table cases by engines"), "Cases by engines: " + legend + ".", "Cases by engines",
+                 "matrix plain", head, rows});
+}
+
+// What engines do instead, others before furrow.
+std::string instead(const Json& kept, Page& page) {
+  std::string rows;
+  for (const bool of_furrow : {false, true}) {
+    for (const Json& engine : kept.at("engines")) {
+      if (own(engine) != of_furrow) continue;
+      for (const auto& [name, said] : engine.at("verdicts").items()) {
+        const std::string verdict = said.at(0);
+        if (verdict == "right" || verdict == "cannot") continue;
+        rows += element("tr", element("td", escaped(name_of(engine))) +
+                                  element("td", typeset(escaped(kept.at("cases").value(name, name)))) +
+                                  element("td", chip_or_words(verdict)) +
+                                  element("td", typeset(escaped(said.at(1).get<std::string>()))));
+      }
+    }
+  }
+  if (rows.empty()) return {};
+  return framed({page.id("table what engines do instead"), "Where an answer is not right, what it is instead.",
+                 "What engines do instead", "study grouped",
+                 head_cell("Engine") + head_cell("Case") + head_cell("Verdict") + head_cell("What it does"), rows});
+}
+
+std::string counts(const Json& kept, Page& page) {
+  std::string head = head_cell("Engine"), rows;
+  for (const Sign& s : signs) head += head_cell(s.verdict, true);
+  for (const Json& engine : kept.at("engines")) {
+    const auto of = counts_of(engine);
+    std::string cells = "<th scope=\"row\">" + escaped(name_of(engine)) + "</th>";
+    for (const Sign& s : signs)
+      cells += element("td", std::to_string(of.contains(s.verdict) ? of.at(s.verdict) : 0), "number");
+    rows += element("tr", cells);
+  }
+  return framed({page.id("table verdicts by engine"), "How many cases each engine gets right.", "Verdicts by engine",
+                 "study", head, rows});
+}
+
+}  // namespace
+
+std::string unusable_judgements(const std::filesystem::path& file) {
+  try {
+    const Json kept = read_sealed(file);
+    for (const char* key : {"commit", "when", "machine", "cases", "engines"}) {
+      if (!kept.contains(key)) return file.string() + ": does not say its " + key;
+    }
+    return kept.at("engines").empty() ? file.string() + ": holds no engines" : "";
+  } catch (const FileError& error) {
+    return error.what();
+  }
+}
+
+std::string judged_in_short(const std::filesystem::path& file) {
+  if (file.empty() || !unusable_judgements(file).empty()) return {};
+  const Json kept = read_sealed(file);
+  std::string words;
+  for (const Json& engine : kept.at("engines")) {
+    if (!own(engine) && engine.value("foreign", false))
+      words +=
+          (words.empty() ? "" : "; ") + escaped(engine.at("engine").get<std::string>()) + ": " + count_words(engine);
+  }
+  return words.empty() ? words : "Of " + std::to_string(kept.at("cases").size()) + " verification cases " + words + ".";
+}
+
+std::string judgements_section(const std::filesystem::path& file, const std::string& number, Page& page) {
+  const std::string begin =
+      "<section id=\"judgements\">" + heading(3, page.id("judged by the same cases"),
+                                              element("span", number, "section") + "Engines judged by the same cases");
+  const std::string why =
+      file.empty() ? "No judgement here: the page was made without one (--judgements)." : unusable_judgements(file);
+  if (!why.empty()) return begin + element("p", escaped(why), "missing") + "</section>\n";
+  const Json kept = read_sealed(file);
+  return begin +
+         element("p",
+                 "Does an engine solve the equations that it is asked to solve? <code>furrow judge</code> gives small "
+                 "problems with a closed form or an integrated answer to any program, each at three or more "
+                 "resolutions, and looks where its answers go. Right: the error falls as the method promises, or is "
+                 "below a floor. Another law: the answers settle on something else, so that a finer step does not "
+                 "help. Cannot: the engine said so itself. Furrow is judged by each of its methods; the independent "
+                 "engine shares nothing with it.",
+                 "lead") +
+         counts(kept, page) + instead(kept, page) + "<details class=\"unfold\"><summary>All " +
+         std::to_string(kept.at("cases").size()) + " cases by all engines</summary>" + matrix(kept, page) +
+         "</details>\n" +
+         element("p",
+                 "By <code>scripts/judge --keep</code>, " + escaped(kept.at("when").get<std::string>().substr(0, 10)) +
+                     ", commit " + escaped(kept.at("commit").get<std::string>()) + " on " +
+                     escaped(kept.at("machine").get<std::string>()) + ".",
+                 "note") +
+         "</section>\n";
+}
+
+}  // namespace furrow::validation
