@@ -188,7 +188,8 @@ std::string tear_figure(const RunRecord& run, Page& page) {
   const std::string first = "the first is a " + std::string(to_string(parts.link.kind[l])) + " link from " +
                             place_of(parts, parts.link.a[l]) + " to " + place_of(parts, parts.link.b[l]) + ", at " +
                             with_unit(run.torn.front().mm, "mm");
-  return framed(page,
+  return "<div class=\"tears\">" +
+         framed(page,
                 {page.id("figure " + run.name + " tears"),
                  plot(drawn(input, "tears.gp", page.files, run.name + "_tears",
                             run.scene.title + ": " + std::to_string(run.torn.size()) + " torn links on the lattice, " +
@@ -198,7 +199,7 @@ std::string tear_figure(const RunRecord& run, Page& page) {
                      "where the plate is then. Dashed ones are bending links. Of all " +
                      first + ".",
                  run.name + "_tears"}) +
-         tear_table(run, page);
+         tear_table(run, page) + "</div>\n";
 }
 
 std::string step_figure(const RunRecord& run, std::vector<RunByStep> others, Page& page) {
