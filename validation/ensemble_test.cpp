@@ -87,8 +87,14 @@ const std::vector<Way>& ways() {
       {"a number is null", [](Json& e) { says(e, "scenario_2 disc 8")["force_ratio"] = nullptr; }},
       {"a number is NaN", [](Json& e) { says(e, "scenario_2 disc 8")["force_ratio"] = std::nan(""); }},
       {"a list is empty", [](Json& e) { says(e, "scenario_2 disc 8")["force_by_way"] = Json::array(); }},
-      {"a list holds null", [](Json& e) { says(e, "scenario_2 disc 8")["force_by_way"] = {1.5, nullptr}; }},
-      {"a list holds words", [](Json& e) { says(e, "scenario_2 disc 8")["force_by_way"] = {1.5, "2"}; }},
+      {"a list holds null",
+       [](Json& e) {
+         says(e, "scenario_2 disc 8")["force_by_way"] = {1.5, nullptr};
+       }},
+      {"a list holds words",
+       [](Json& e) {
+         says(e, "scenario_2 disc 8")["force_by_way"] = {1.5, "2"};
+       }},
       {"no mean force", [](Json& e) { says(e, "scenario_3 disc 8").erase("mean_force"); }},
       {"surface is text", [](Json& e) { says(e, "scenario_3 disc 8")["surface"] = "0.07"; }},
   };

@@ -122,8 +122,8 @@ class Validity {
   std::array<Watched, watch_kinds> watch_;
   RunExtremes extremes_;
   std::string failure_;
-  double step_;                 // s, the largest that the method takes
-  double plate_speed_ = 0;      // m/s, of the fastest
+  double step_;             // s, the largest that the method takes
+  double plate_speed_ = 0;  // m/s, of the fastest
   bool started_ = false;
   Energies start_;
   double supplied_ = 0;                                // J, the most so far
