@@ -27,14 +27,10 @@ TEST(Engines, TheIndependentOneIsRightInEveryCase) {
     EXPECT_EQ(to_string(j.verdict), "right") << name << ": " << j.words;
 }
 
-// What furrow has no option for, by what it says itself; nothing else may go unjudged.
-TEST(Engines, FurrowIsRightInEveryCaseThatItsSceneCanExpress) {
-  const std::set<std::string> missing{"linear", "no_tangential_damping"};
+TEST(Engines, FurrowIsRightInEveryCase) {
   for (const char* method : {"verlet", "pece", "rk4"}) {
     for (const auto& [name, j] : judge_all([&](const Json& r) { return verification::furrow_answer(r, method); })) {
-      const bool cannot = j.verdict == CaseVerdict::cannot && missing.contains(j.words);
-      EXPECT_TRUE(cannot || j.verdict == CaseVerdict::right)
-          << method << ", " << name << ": " << to_string(j.verdict) << ", " << j.words;
+      EXPECT_EQ(to_string(j.verdict), "right") << method << ", " << name << ": " << j.words;
     }
   }
 }

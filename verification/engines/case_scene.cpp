@@ -9,13 +9,13 @@
 namespace furrow::verification {
 namespace {
 
-const std::set<std::string> abilities{"hertz",         "wall",       "pair",
-                                      "plate",         "outline",    "point",
-                                      "damping",       "pull",       "no_pull",
-                                      "friction",      "rolling",    "gravity",
-                                      "spring",        "tear",       "tangential_damping",
-                                      "load",          "arm_radius", "arm_contact_point",
-                                      "spring_damping"};
+const std::set<std::string> abilities{"hertz",          "wall",       "pair",
+                                      "plate",          "outline",    "point",
+                                      "damping",        "pull",       "no_pull",
+                                      "friction",       "rolling",    "gravity",
+                                      "spring",         "tear",       "tangential_damping",
+                                      "load",           "arm_radius", "arm_contact_point",
+                                      "spring_damping", "linear",     "no_tangential_damping"};
 
 Vec2 vec2(const Json& pair) { return {pair[0], pair[1]}; }
 
@@ -68,9 +68,18 @@ void add_lattice(Scene& scene, const Json& l) {
 }
 
 void set_contact(Scene& scene, const Json& contact) {
-  scene.contact = {.damping_factor = contact["beta"],
-                   .friction = contact["friction"],
-                   .rolling_friction = contact["rolling_friction"]};
+  scene.contact = {.friction = contact.value("friction", 0.0),
+                   .rolling_friction = contact.value("rolling_friction", 0.0)};
+  if (contact["law"] == "linear") {
+    scene.model.law = ForceLaw::linear;
+    scene.contact.normal_stiffness = contact["kn"];
+    if (contact["kt"] > 0.0) scene.contact.tangential_stiffness = contact["kt"];
+    scene.contact.damping = contact["cn"];
+    scene.contact.tangential_damping = contact["ct"];
+  } else {
+    scene.contact.damping_factor = contact["beta"];
+    scene.model.slip_damping = contact.value("tangential_damping", true);
+  }
   scene.model.pull = contact["pull"];
   scene.model.moment_arm = contact["moment_arm"] == "radius" ? MomentArm::radius : MomentArm::contact_point;
   if (contact.contains("rolling_smoothing")) scene.model.rolling_smoothing = contact["rolling_smoothing"];
