@@ -11,7 +11,7 @@ set ytics offset 0.6, 0
 set grid ytics lc rgb '#e2e2e2' lw 0.6 dt 1
 set lmargin at screen 0.1
 set rmargin at screen 0.78
-set bmargin at screen 0.16
+set bmargin at screen 0.19
 set tmargin at screen 0.97
 set xlabel 'place along the lattice, of its length' offset 0, 0.4
 set ylabel 'deflection' offset 0.8, 0

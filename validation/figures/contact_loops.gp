@@ -8,7 +8,7 @@ set xtics offset 0, 0.3
 set ytics offset 0.6, 0
 set grid ytics lc rgb '#e2e2e2' lw 0.6 dt 1
 set tmargin at screen 0.86
-set bmargin at screen 0.2
+set bmargin at screen 0.26
 set xlabel 'overlap' offset 0, 0.4
 set xtics auto
 set multiplot

@@ -5,7 +5,7 @@ set terminal svg size 600, 410 font 'sans-serif,16' enhanced
 unset key
 set lmargin at screen 0.125
 set rmargin at screen 0.975
-set bmargin at screen 0.145
+set bmargin at screen (packings > 0 ? 0.2 : 0.145)
 set tmargin at screen 0.91
 set border 3 lw 0.8
 set tics nomirror out scale 0.6
@@ -38,7 +38,6 @@ set label 'the paper' at screen 0.87, screen row left
 if (packings > 0) {
   set object 1 rectangle from screen 0.13, screen 0.02 to screen 0.17, screen 0.045 fs solid 1 noborder fc rgb '#e8dff0'
   set label sprintf('largest in 5 mm, 5 to 95 %% of %d packings', packings) at screen 0.18, screen 0.033 left font ',13' tc rgb '#505050'
-  set xlabel offset 0, 1
 }
 plot $band using 1:2:3 with filledcurves fs solid 1 noborder lc rgb '#e8dff0' title 'packings', \
      $force using 1:4 with lines ls 1 title 'sum', \
