@@ -115,10 +115,10 @@ void describe(auto& v, LinkSetting& l) {
             {"shear", LinkChoice::shear, "across the cells"},
             {"bending", LinkChoice::bending, "to the next but one"}},
            "Of which links it is said.");
-  v("rows", l.rows, {"", not_negative, "[3, 4]", "Links whose two ends lie in these rows. Left out: any."});
+  v("rows", l.rows, {"", not_negative, "[2, 3]", "Links whose two ends lie in these rows. Left out: any."});
   v("columns", l.columns, {"", not_negative, "[0]", "Links whose two ends lie in these columns. Left out: any."});
-  v("from", l.from, {"", not_negative, "[3, 0]", "The link from this node, row and column, to the node `to`."});
-  v("to", l.to, {"", not_negative, "[4, 0]", "See from."});
+  v("from", l.from, {"", not_negative, "[2, 0]", "The link from this node, row and column, to the node `to`."});
+  v("to", l.to, {"", not_negative, "[3, 0]", "See from."});
   v("cut_from", l.cut_from,
     {"m", finite, "[-0.005, 0.035]",
      "Links that the straight line from here to cut_to cuts; measured from the node of row 0 and column 0."});
