@@ -84,31 +84,12 @@ Json phase(const std::string& method) {
 
 // ---- bent lattices ----
 
-// From the equilibrium of an assembly of its own, which is near, one Newton step with the solver's forces.
 Json bent(int cells) {
-  constexpr double kd = 1e4, load = -1e-3;                                            // N/m, N
-  constexpr double stretching = 8 * kd / 3, shearing = kd, second_moment = 1.0 / 12;  // a unit of height
-  const Beam beam{.rows = cells + 1,
-                  .columns = static_cast<int>(slenderness) * cells + 1,
-                  .clamped_columns = 1,
-                  .ks = 2 * kd,
-                  .kd = kd,
-                  .load_y = load,
-                  .spacing = 1.0 / cells};
+  constexpr double kd = 1e4, load = -1e-3;  // N/m, N
+  const Beam beam = cantilever::isotropic(cells, static_cast<int>(slenderness), kd, load);
   const Assembly own(beam);
-  Vector rest = own.equilibrium();
-  const System system(cantilever::scene_of(beam, 0));
-  State y = system.initial_state();
-  const auto nodes = static_cast<int>(rest.size() / 2);
-  for (int i = 0; i < nodes; ++i) y[system.x_of(i)] += rest[2 * i], y[system.y_of(i)] += rest[2 * i + 1];
-  State rates(y.size());
-  system.rhs(0, y, rates);
-  Vector left(rest.size());
-  for (int i = 0; i < nodes; ++i)
-    left.segment<2>(2 * i) << beam.mass * rates[system.vx_of(i)], beam.mass * rates[system.vy_of(i)];
-  rest += Eigen::SimplicialLDLT<Sparse>(own.stiffness(rest)).solve(left);
-  const double theory =
-      load * (std::pow(slenderness, 3) / (3 * stretching * second_moment) + slenderness / (5.0 / 6 * shearing));
+  const Vector rest = cantilever::solver_rest(beam, own, own.equilibrium());
+  const double theory = cantilever::timoshenko(static_cast<int>(slenderness), kd, load);
   Json rows = Json::array({Json::array({0, 0})});
   const int free = beam.columns - 1, first = cells / 2 * free;  // of the middle row
   for (int k = 0; k < free; k += std::max(1, cells / 4))
