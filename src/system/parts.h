@@ -117,8 +117,8 @@ struct Parts {
 
   int bodies() const { return disc.count() + free_nodes; }
   int law_of(int material_a, int material_b) const { return material_a * materials + material_b; }
-  // With the scene's number: "disc 12", "node (row 3, column 1) of lattice stem".
-  std::string body_name(int body) const;
+  std::string body_name(
+      int body) const;  // with the scene's number: "disc 12", "node (row 3, column 1) of lattice stem"
   std::string node_name(int node) const;
   std::string link_name(int link) const;
 };
