@@ -47,12 +47,11 @@ class Watch {
     for (int n = 0; n < parts.node.count(); ++n) {
       if (parts.node.body[n] >= 0) size_.push_back(parts.node.spacing[n]);
     }
-    double side = infinity;
     for (const PlatePart& p : parts.plate) {
-      side = std::min({side, p.width, p.height});
+      quarter_side_ = std::min({quarter_side_, p.width / 4, p.height / 4});
       plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
     }
-    quarter_.assign(size_.size(), side / 4);
+    quarter_.assign(size_.size(), quarter_side_);
     for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
   }
 
@@ -105,7 +104,7 @@ class Watch {
   // If plates and bodies move by less than a quarter of a plate's smaller side in a step, no plate skips a body.
   std::string stepped_over(const Step& step, int& body) const {
     const Parts& parts = system_.parts();
-    if (parts.plate.empty() || (plate_speed_ * step.h <= quarter_.front() && all_moved_less(step, quarter_))) return {};
+    if (parts.plate.empty() || (plate_speed_ * step.h <= quarter_side_ && all_moved_less(step, quarter_))) return {};
     const ContactId over = furrow::stepped_over(system_, step);
     if (over.a < 0) return {};
     body = of_disc(over.kind) ? over.a : parts.node.body[over.a];
@@ -129,7 +128,8 @@ class Watch {
 
   const System& system_;
   std::vector<double> size_;        // m, by body
-  std::vector<double> quarter_;     // m, of the smallest side of a plate, for each body
+  double quarter_side_ = infinity;  // m, of the smallest side of a plate
+  std::vector<double> quarter_;     // m, the same for each body
   double plate_speed_ = 0;          // m/s, of the fastest
   double least_radius_ = infinity;  // m
 };

@@ -215,6 +215,24 @@ TEST(Validity, APlateThatStepsOverABodyEndsTheRun) {
   EXPECT_EQ(watched(scene, "pece", 1e-3, 0.01).end.ending, Ending::finished);
 }
 
+// Plates, walls and lattices, but nothing that moves by forces.
+TEST(Validity, ASceneWithoutMovingBodiesRuns) {
+  Scene scene = empty_scene();
+  Lattice l = lattice({0, 0}, 2, 3, 0.05);
+  l.fixed_rows = {0, 1};
+  scene.lattice = {l};
+  for (const bool driven : {false, true}) {
+    if (driven) scene.lattice[0].fixed_rows = {0}, scene.lattice[0].drive = {{.rows = {1}, .velocity = {0.1, 0}}};
+    for (const int plates : {0, 1, 2}) {
+      scene.plate.assign(static_cast<std::size_t>(plates), plate({0.3, 0}, 0.01, 0.2, {0.1, 0}));
+      for (const char* method : {"pece", "rk4", "odeint_dopri5", "rkc"}) {
+        const WatchedRun r = watched(scene, method, 1e-3, 0.02);
+        EXPECT_EQ(r.end.ending, Ending::finished) << method << " " << plates << " " << r.end.reason;
+      }
+    }
+  }
+}
+
 TEST(Validity, AFastNodeDoesNotStepThroughAThinPlate) {
   Scene scene = empty_scene();
   Lattice l = lattice({-0.02, 0}, 1, 1, 0.05);
