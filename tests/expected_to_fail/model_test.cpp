@@ -1,7 +1,6 @@
 // What the model does not do yet.
 #include <numbers>
 
-#include "physics/rescaled_mindlin.h"
 #include "tests/expected_to_fail/expected_to_fail.h"
 #include "tests/unit/watched_run.h"
 
@@ -31,29 +30,6 @@ TEST_F(ExpectedToFail, ADiscRestsOnASlopeBelowItsRollingFriction) {
   const double moved = std::hypot(r.y[0] - start.x, r.y[1] - start.y);
   EXPECT_RIGHT(moved < 0.02 * radius) << "it stays, but for the give of the contact, less than 0.02 R in 2 s; it moved "
                                       << moved / radius << " R";
-}
-
-// Rescaled Mindlin with damping. A spring beyond its friction limit counts as far as the limit; held to that of the elastic
-// force, mu Fe/St = mu E* d/(6 G*), its rate would be bounded however small the overlap. Held to that of the whole
-// force it grows as d^(-1/4) d'/d, and runs end as invalid (exit 3).
-TEST_F(ExpectedToFail, TheSpringOfADampedRescaledContactBeginsAtABoundedRate) {
-  mended_in("tests/unit/contact_test.cpp");
-  Scene scene = empty_scene();
-  scene.model.law = ForceLaw::rescaled_mindlin;
-  scene.contact.friction = 0.5;
-  scene.contact.restitution = 0.5;
-  scene.wall = {wall({0, 0}, {0, 1})};
-  scene.disc = {disc({0, radius}, radius)};
-  const ContactLaw law = make_parts(scene).law[0];
-  const double approach = 0.1;  // m/s
-  const Touch touch{1e-12, approach, 0, 1e-3, 0, radius, disc_mass};
-  TouchForce force{};
-  press(law, touch, force);
-  ASSERT_GT(force.normal, 100 * force.elastic) << "it is damped";
-  const double bound = law.friction * 4 * force.elastic / (force.shear_stiffness * touch.overlap) * approach;
-  const double rate = std::fabs(rescaled_rate(law, touch, force));
-  EXPECT_RIGHT(rate < bound) << "it is below eight times that of an undamped contact, " << bound << " m/s; it is "
-                             << rate << " m/s";
 }
 
 }  // namespace

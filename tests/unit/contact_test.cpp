@@ -209,43 +209,51 @@ TEST(DampingFactor, GivesTheRestitutionBack) {
   }
 }
 
-// xi* = mu Fn/St = mu E* d/(6 G*) without damping, so that xi* d'/(2 d) has no d in it.
+// xi* = mu Fe/St = mu E* d/(6 G*), damped or not, so that xi* d'/(2 d) has no d in it.
 TEST(RescaledMindlin, ASpringBeyondItsLimitHasABoundedRateHoweverSmallTheOverlap) {
-  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0, false);
-  law.options.force = ForceLaw::rescaled_mindlin;
-  for (const double overlap : {1e-6, 1e-12, 1e-18}) {
-    for (const double spring : {1e-4, -1e-4}) {
-      Touch c = touch();
-      c.overlap = overlap;
-      c.spring = spring;
-      c.approach = 0.1;
-      c.slip = 0.3;
-      const double most = 0.5 * law.modulus * 0.1 / (12 * law.shear_modulus);
-      expect_close(spring_rate(law, c, contact_force(law, c, 1)), 0.3 - (spring > 0 ? most : -most));
-      c.approach = -0.1;
-      EXPECT_EQ(spring_rate(law, c, contact_force(law, c, 1)), 0.3);
+  for (const double beta : {0.0, 0.2, 0.9}) {
+    ContactLaw law = contact_law(paper, paper, beta, 0.5, 0, false);
+    law.options.force = ForceLaw::rescaled_mindlin;
+    for (const double overlap : {1e-6, 1e-12, 1e-18}) {
+      for (const double spring : {1e-4, -1e-4}) {
+        Touch c = touch();
+        c.overlap = overlap;
+        c.spring = spring;
+        c.approach = 0.1;
+        c.slip = 0.3;
+        const double most = 0.5 * law.modulus * 0.1 / (12 * law.shear_modulus);
+        expect_close(spring_rate(law, c, contact_force(law, c, 1)), 0.3 - (spring > 0 ? most : -most));
+        c.approach = -0.1;
+        EXPECT_EQ(spring_rate(law, c, contact_force(law, c, 1)), 0.3);
+      }
     }
   }
 }
 
-// What the spring stores, by its own rate and by that of St, and what is lost are what its force was given.
-TEST(RescaledMindlin, LosesWhatItDoesNotStoreWithinItsLimitAndBeyond) {
-  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0, false);
-  law.options.force = ForceLaw::rescaled_mindlin;
-  for (const double spring : {1e-6, -1e-6, 1e-4, -1e-4}) {  // the limit is 2.8e-5 m
-    for (const double approach : {0.1, -0.1}) {
-      Touch c = touch();
-      c.spring = spring;
-      c.approach = approach;
-      c.slip = 0;
-      const TouchForce f = contact_force(law, c, 1);
-      const double stores = f.shear_stiffness * spring * spring_rate(law, c, f) +
-                            0.25 * f.shear_stiffness * spring * spring * approach / c.overlap;
-      const TouchPowers p = contact_powers(law, c, f);
-      EXPECT_EQ(p.stiffening, 0);
-      expect_close(p.sliding + p.sticking, -stores);
+// What the spring stores, by its own rate and by that of St, is what its force was given, less what is lost, and what is
+// supplied beyond twice the limit.
+TEST(RescaledMindlin, BooksWhatItDoesNotStoreWithinItsLimitAndBeyond) {
+  int supplied = 0;
+  for (const double beta : {0.0, 0.2}) {
+    ContactLaw law = contact_law(paper, paper, beta, 0.5, 0, false);
+    law.options.force = ForceLaw::rescaled_mindlin;
+    for (const double spring : {1e-6, -1e-6, 4e-5, -4e-5, 1e-4, -1e-4}) {  // the limit is 2.8e-5 m
+      for (const double approach : {0.1, -0.1}) {
+        Touch c = touch();
+        c.spring = spring;
+        c.approach = approach;
+        c.slip = 0;
+        const TouchForce f = contact_force(law, c, 1);
+        const double stores = f.shear_stiffness * spring * spring_rate(law, c, f) +
+                              0.25 * f.shear_stiffness * spring * spring * approach / c.overlap;
+        const TouchPowers p = contact_powers(law, c, f);
+        EXPECT_GE(p.stiffening, 0);
+        supplied += p.stiffening > 0 ? 1 : 0;
+        expect_close(p.stiffening - p.sliding - p.sticking, stores);
+      }
     }
   }
+  EXPECT_EQ(supplied, 4) << "both signs of 1e-4, damped and not, while the contact loads";
 }
 
 }  // namespace
