@@ -3,16 +3,10 @@
 
 #include <string>
 
-#include "run/system.h"
+#include "run/step.h"
 #include "system/survey.h"
 
 namespace furrow {
-
-// A step of h that ended at t.
-struct Step {
-  double t, h;
-  const State &before, &after;
-};
 
 // Whether disc or node `contact.a` crossed the middle of the plate contact.b, between its two larger faces; where faces
 // are kept, in a step that began too far away to be on one.

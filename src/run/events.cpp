@@ -174,7 +174,7 @@ double EventSteps::next_time(double t, double end, double h) {
 }
 
 void EventSteps::accept(const State& before, double t, State& y, double h, JumpReport& report) {
-  const Step step{t, h, before, y};
+  const Step step = step_of(system_, t, h, before, y);
   check_(step);
   const JumpReport one = jump(system_, method_, t, y);
   if (validity_) validity_->see(step, one);

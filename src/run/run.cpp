@@ -51,7 +51,7 @@ class Watch {
       quarter_side_ = std::min({quarter_side_, p.width / 4, p.height / 4});
       plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
     }
-    quarter_.assign(size_.size(), quarter_side_);
+    for (const double size : size_) least_size_ = std::min(least_size_, size);
     for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
   }
 
@@ -63,7 +63,7 @@ class Watch {
     in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
       if (!all_finite(after.data() + first, last - first)) finite = false;
     });
-    if (finite && all_moved_less(step, size_)) {
+    if (finite && none_beyond_its_size(step)) {
       const std::string driven = driven_too_far(step);
       return driven.empty() ? stepped_over(step, body) : driven;
     }
@@ -104,7 +104,9 @@ class Watch {
   // If plates and bodies move by less than a quarter of a plate's smaller side in a step, no plate skips a body.
   std::string stepped_over(const Step& step, int& body) const {
     const Parts& parts = system_.parts();
-    if (parts.plate.empty() || (plate_speed_ * step.h <= quarter_side_ && all_moved_less(step, quarter_))) return {};
+    if (parts.plate.empty() ||
+        (plate_speed_ * step.h <= quarter_side_ && step.motion.moved_squared <= quarter_side_ * quarter_side_))
+      return {};
     const ContactId over = furrow::stepped_over(system_, step);
     if (over.a < 0) return {};
     body = of_disc(over.kind) ? over.a : parts.node.body[over.a];
@@ -114,12 +116,13 @@ class Watch {
     return text.str();
   }
 
-  bool all_moved_less(const Step& step, const std::vector<double>& limit) const {
+  bool none_beyond_its_size(const Step& step) const {
+    if (step.motion.moved_squared <= least_size_ * least_size_) return true;
     std::atomic<bool> all = true;
-    const std::size_t bodies = limit.size();
+    const std::size_t bodies = size_.size();
     in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
       for (const std::size_t axis : {first, bodies + first}) {
-        if (!all_near(step.before.data() + axis, step.after.data() + axis, limit.data() + first, last - first))
+        if (!all_near(step.before.data() + axis, step.after.data() + axis, size_.data() + first, last - first))
           all = false;
       }
     });
@@ -128,8 +131,8 @@ class Watch {
 
   const System& system_;
   std::vector<double> size_;        // m, by body
-  double quarter_side_ = infinity;  // m, of the smallest side of a plate
-  std::vector<double> quarter_;     // m, the same for each body
+  double quarter_side_ = infinity;  // m, a quarter of the smallest side of a plate
+  double least_size_ = infinity;    // m
   double plate_speed_ = 0;          // m/s, of the fastest
   double least_radius_ = infinity;  // m
 };
@@ -223,7 +226,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     JumpReport report;
     if (!at.begun) {
       report = jump(system, method, plan.start, y);
-      if (plan.validity) plan.validity->see({plan.start, 0, y, y}, report);
+      if (plan.validity) plan.validity->see(step_of(system, plan.start, 0, y, y), report);
       at.begun = true;
       accept(report);
     }

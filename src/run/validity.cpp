@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/wide.h"
 #include "methods/method.h"
 #include "run/crossing.h"
 #include "run/energy_floor.h"
@@ -39,33 +38,6 @@ constexpr std::array<Rule, watch_kinds> rules{{
     {WatchKind::arrival, "arrival", 1, infinity, "the step is ",
      " times the largest stable one of an impact that may come"},
 }};
-
-// Greatest speed of a body, and how far one moved.
-struct Fastest {
-  double squared = 0, moved_squared = 0;
-};
-
-FURROW_WIDE Fastest fastest_lanes(const double* before, const double* y, std::size_t n) {
-  constexpr int lanes = 8;
-  double speed[lanes] = {}, move[lanes] = {};
-  for (std::size_t first = 0; first < n; first += lanes) {
-    const std::size_t last = std::min(n, first + lanes);
-    for (std::size_t i = first; i < last; ++i) {
-      const double dx = y[i] - before[i], dy = y[n + i] - before[n + i];
-      const double moved = dx * dx + dy * dy;
-      const double squared = y[2 * n + i] * y[2 * n + i] + y[3 * n + i] * y[3 * n + i];
-      move[i - first] = moved > move[i - first] ? moved : move[i - first];
-      speed[i - first] = squared > speed[i - first] ? squared : speed[i - first];
-    }
-  }
-  Fastest all;
-  for (int k = 0; k < lanes; ++k) {
-    all.squared = std::max(all.squared, speed[k]);
-    all.moved_squared = std::max(all.moved_squared, move[k]);
-  }
-  return all;
-}
-FURROW_WIDTHS(Fastest, fastest, (const double* before, const double* y, std::size_t n), (before, y, n))
 
 std::optional<double> allowed(const Scene& scene, WatchKind kind) {
   if (!scene.allow) return {};
@@ -198,13 +170,12 @@ void Validity::see(const Step& step, const JumpReport& report) {
 }
 
 void Validity::look_at_speed(const Step& step) {
-  const auto bodies = static_cast<std::size_t>(system_.parts().bodies());
-  const Fastest most = fastest(step.before.data(), step.after.data(), bodies);
+  const auto [moved_squared, speed_squared] = step.motion;
   // A disc that is closer to a border than it and the border may move in a step, or in the next one at twice the speed.
-  const double squared = std::max(most.squared, stiffest_->floor.drive_speed * stiffest_->floor.drive_speed);
-  system_.survey().reach = 4 * std::sqrt(std::max(most.moved_squared, squared * step_ * step_));
-  if (!(most.squared > extremes_.speed * extremes_.speed)) return;
-  extremes_.speed = std::sqrt(most.squared);
+  const double squared = std::max(speed_squared, stiffest_->floor.drive_speed * stiffest_->floor.drive_speed);
+  system_.survey().reach = 4 * std::sqrt(std::max(moved_squared, squared * step_ * step_));
+  if (!(speed_squared > extremes_.speed * extremes_.speed)) return;
+  extremes_.speed = std::sqrt(speed_squared);
   extremes_.speed_time = step.t;
 }
 
