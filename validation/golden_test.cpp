@@ -116,8 +116,8 @@ Json quick_run(const Json& golden) {
   return now;
 }
 
-const std::vector<std::string> runs{"scenario_1_disc", "scenario_2_disc", "scenario_2_sphere", "scenario_3_disc",
-                                    "scenario_3_sphere"};
+const std::vector<std::string> runs{"scenario_1_disc", "scenario_2_disc",   "scenario_2_sphere",
+                                    "scenario_3_disc", "scenario_3_sphere", "deformable_tool_disc"};
 
 TEST(Golden, SaysWhatItComparedIfAllIsTheSame) {
   const Json golden = kept("scenario_1_disc");
