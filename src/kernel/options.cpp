@@ -115,14 +115,18 @@ void add_sliding_heat(const TouchBatch& c, const Parts& parts, double& sum) {
     if (c.touching[k] != 0)
       sum += 0.5 * c.shear_stiffness[k] * (c.held[k] * c.held[k] - c.spring[k] * c.spring[k]);
     else
-      sum += energy_at_opening(parts.law[c.law[k]], c.reduced_radius[k], c.held[k], c.turn_held[k]);
+      sum += energy_at_opening(parts.law[c.law[k]], c.reduced_radius[k], c.held[k], c.turn_held[k]).tangential;
   }
 }
 
 void add_rolling_heat(const TouchBatch& c, const Parts& parts, double& sum) {
   for (int k = 0; k < c.count; ++k) {
     const ContactLaw& law = parts.law[c.law[k]];
-    if (c.touching[k] == 0 || !rolls_on_spring(law)) continue;
+    if (c.touching[k] == 0) {
+      sum += energy_at_opening(law, c.reduced_radius[k], c.held[k], c.turn_held[k]).rolling;
+      continue;
+    }
+    if (!rolls_on_spring(law)) continue;
     const double kr = rolling_stiffness(law, touch_of(c, k), force_of(c, k));
     sum += 0.5 * kr * (c.turn_held[k] * c.turn_held[k] - c.turn[k] * c.turn[k]);
   }

@@ -4,7 +4,7 @@
 //   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j
 //   1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
 //   1/R* = 1/R_i + 1/R_j
-//   1/m* = 1/m_i + 1/m_j
+//   1/m* = 1/m_i + 1/m_j                            of bodies; the shares of a segment's nodes: system/contact.h
 //
 //   Fe = 4/3 E* sqrt(R*) d^(3/2)
 //   Sn = 2 E* sqrt(R* d)
@@ -150,11 +150,12 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
 //
 //   d/dt (1/2 St xi^2) = St xi vt + 1/4 xi^2 St d'/d
 //
-// No force supplies the second term, `stiffening`: a property of Mindlin's law without rescaling.
+// No force supplies the second term: it is booked as `stiffening`, negative while d shrinks. Rescaled and rolling springs
+// have terms of their own (rescaled_mindlin.h, rolling_spring.h).
 struct TouchPowers {
   double viscous;     // by the normal damper
   double sticking;    // by the tangential damper, while the contact sticks
-  double sliding;     // by friction while it slides, less what the growing spring stores; the rest comes with a jump
+  double sliding;     // by friction while it slides, less what xi' = vt stores; the rest comes with a jump
   double rolling;     // by rolling friction
   double stiffening;  // given to the tangential spring
 };

@@ -38,24 +38,33 @@ inline TouchPowers contact_powers(const ContactLaw& law, const Touch& c, const T
   return p;
 }
 
+struct SpringEnergies {
+  double tangential, rolling;  // J
+};
+
+inline SpringEnergies spring_energies(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return {0.5 * f.shear_stiffness * c.spring * c.spring,
+          rolls_on_spring(law) ? 0.5 * rolling_stiffness(law, c, f) * c.turn * c.turn : 0};
+}
+
 // J, in the normal spring, the tangential one and that of rolling.
 inline double stored_energy(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   const bool linear = law.options.force == ForceLaw::linear;
   const double normal = linear ? 0.5 * f.elastic * c.overlap : elastic_energy(f.elastic, c.overlap);
-  const double tangential = 0.5 * f.shear_stiffness * c.spring * c.spring;
-  if (!rolls_on_spring(law)) return normal + tangential;
-  return normal + tangential + 0.5 * rolling_stiffness(law, c, f) * c.turn * c.turn;
+  const SpringEnergies springs = spring_energies(law, c, f);
+  return normal + springs.tangential + springs.rolling;
 }
 
-// J: what the springs of a contact still hold as it opens, and lose. Of Hertz's law nothing: at d = 0 nothing is stiff.
-inline double energy_at_opening(const ContactLaw& law, double reduced_radius, double spring, double turn) {
+// What the springs of a contact still hold as it opens, and lose. Hertz's law leaves nothing, for at d = 0 nothing is
+// stiff, unless the rolling stiffness is given.
+inline SpringEnergies energy_at_opening(const ContactLaw& law, double reduced_radius, double spring, double turn) {
   Touch c{};
   c.reduced_radius = reduced_radius;
   c.spring = spring;
   c.turn = turn;
   TouchForce f{};
   if (law.options.force == ForceLaw::linear) stiffen_linear(law, c, f);
-  return stored_energy(law, c, f);
+  return spring_energies(law, c, f);
 }
 
 }  // namespace furrow

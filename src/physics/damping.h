@@ -1,7 +1,7 @@
 // The ways to give the damping of a contact, and what its tangential spring holds after it has slipped.
 //
-//   Fv = (2 sqrt(5/6) beta sqrt(Sn m*) + cn) d'       of the linear law with 2 beta in place of 2 sqrt(5/6) beta
-//   Fv,t = (2 sqrt(5/6) beta sqrt(St m*) + ct) vt
+//   Fv = Cn d',    Cn = 2 sqrt(5/6) beta sqrt(Sn m*) + cn    of the linear law with 2 beta in place of 2 sqrt(5/6) beta
+//   Fv,t = -Ct vt,  Ct = 2 sqrt(5/6) beta sqrt(St m*) + ct    part of Ft
 //
 //   damping_factor  beta
 //   restitution     beta = -ln e / sqrt(ln^2 e + pi^2)                     exact if the contact may pull
@@ -11,7 +11,7 @@
 // After a step |xi| is returned to mu Fn/St (`elastic`), or, where the contact slides, to what leaves the limit
 // together with the damper (`less_viscous`; as LAMMPS does):
 //
-//   xi = -(Ft + ct' vt)/St,  |Ft| = mu Fn,  ct' the whole factor of vt
+//   xi = -(Ft + Ct vt)/St,  |Ft| = mu Fn
 //
 // A spring that was never stretched stays at zero.
 //
@@ -42,7 +42,7 @@ inline void damp(const ContactLaw& law, const Touch& c, TouchForce& f) {
   f.normal = push > law.floor ? push : law.floor;
 }
 
-// N s/m: the whole factor of d'.
+// N s/m: Cn.
 inline double normal_viscosity(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   return law.viscosity * std::sqrt(f.stiffness * c.reduced_mass) + law.options.dashpot;
 }

@@ -1,5 +1,5 @@
-// Nearest points and signed distances. The unit vector (nx, ny) points from the disc or node to the other part; inside
-// a rectangle it points away from the nearest way out.
+// Nearest points and signed distances. (nx, ny) points from the disc or node to the other part, inside a rectangle away
+// from the nearest way out; a unit vector but in the corners of a held face (held_face.h).
 #pragma once
 
 #include <algorithm>

@@ -10,10 +10,12 @@
 //   min*(p, q) = p                                   if 2 p <= q
 //              = q (s - 4/7 (s - 1/2)^2),  s = p/q   if p <= q < 2 p;   for p > q the same with p and q exchanged
 //
-// min* and its two derivatives are continuous, so the force -Fn n is continuous: where a body slips round a corner, it
+// min* and its first derivatives are continuous, so the force -Fn n is continuous: where a body slips round a corner, it
 // turns from one face to the other. Since n = -grad D everywhere, Fe n has a potential, and a closed way round a corner
-// returns its energy; for that n must be shorter than 1 where min* is rounded, down to 3/7 sqrt(2). The corner point
-// itself has no direction: there n is that of f.
+// returns its energy. For that n is shorter than 1 where min* is rounded: down to 3/7 sqrt(2) where two faces meet, and
+// to 0 midway between two neighbours of f no deeper than 7/12 of the depth behind f: there a contact overlaps but pushes
+// nowhere. Ft t is shortened alike; the spin's part of the slip is not. The corner point itself has no direction: there
+// n is that of f.
 //
 // The life of a held face, at each jump (system/held_faces.h):
 //

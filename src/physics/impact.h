@@ -21,8 +21,9 @@ inline double elastic_energy(const ContactLaw& law, double reduced_radius, doubl
   return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
 }
 
-// -: (d_damped / d_elastic)^(5/4), of the linear law to the power of 1, of the greatest overlaps of a head-on impact with and without damping. In d^(5/4)
-// this law is a linear oscillator of damping ratio beta (Antypov and Elliott 2011, EPL 94, 50004), whose first peak is
+// -: (d_damped/d_elastic)^(5/4), of the linear law d_damped/d_elastic: greatest overlaps of a head-on impact with and
+// without damping. In d^(5/4) the law of Hertz is a linear oscillator of damping ratio beta (Antypov and Elliott 2011, EPL
+// 94, 50004), whose first peak is
 //
 //   exp(-beta/r atan(r/beta)),    r = sqrt(1 - beta^2)
 //   exp(-beta/r artanh(r/beta)),  r = sqrt(beta^2 - 1),  beyond beta = 1

@@ -5,8 +5,8 @@
 //   Fn = max(0, Fe + Fv)                            without the max if the contact may pull
 //   Ft = -kt xi - (2 beta sqrt(kt m*) + ct) vt,     |Ft| <= mu max(0, Fn)
 //
-// A head-on impact lasts pi/w with w = sqrt(kn/m* (1 - beta^2)), and its restitution is
-// exp(-pi beta/sqrt(1 - beta^2)) if the contact may pull. Neither depends on the radius or on the speed.
+// If the contact may pull and cn = 0, a head-on impact lasts pi/w with w = sqrt(kn/m* (1 - beta^2)), and its restitution
+// is exp(-pi beta/sqrt(1 - beta^2)). At a given m* neither depends on the speed.
 //
 // Source: Cundall and Strack 1979 (Geotechnique 29, 47).
 #pragma once

@@ -4,6 +4,11 @@
 //   force        linear.h, rescaled_mindlin.h; which damping there is besides beta: damping.h
 //   after_slip   what a tangential spring holds after it has slipped: damping.h
 //   rolling      rolling_spring.h
+//
+// One more law: a header with its stiffnesses and elastic force; here its name; contact_force.h (force, powers, stored
+// energy), impact.h (what follows for an impact); system/laws.cpp (its constants from a scene); scene/schema.h (its key),
+// scene/validate.cpp and effects.cpp (what it needs and ignores); program/explain_law.cpp; export/lammps_law.cpp. The
+// kernel takes it from contact_force.h.
 #pragma once
 
 namespace furrow {

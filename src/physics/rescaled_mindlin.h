@@ -1,22 +1,23 @@
 // Mindlin's tangential spring with its force rescaled while the contact unloads.
 //
 //   F  = St xi, the force of the tangential spring
-//   F' = St vt              while d grows:   what is there already does not grow with St
-//   F' = St vt + F St'/St   while d shrinks: a smaller contact cannot hold it
+//   F' = St vt + (F - F*) St'/St   while d grows: what is there already does not grow with St; F* = F, at most mu Fe
+//   F' = St vt + F St'/St          while d shrinks: a smaller contact cannot hold it
 //
 // which in xi is, with St'/St = d'/(2 d),
 //
-//   xi' = vt - xi* d'/(2 d)  while d' > 0,  xi* = xi within |xi*| <= mu Fe/St
+//   xi' = vt - xi* d'/(2 d)  while d' > 0,  xi* = xi within |xi*| <= mu Fe/St = mu E* d/(6 G*)
 //   xi' = vt                 otherwise
 //
-// Within a step xi may be beyond what friction holds, and d as small as round-off: xi d'/(2 d) has no bound there, but
-// mu Fe/St, by the elastic force Fe, goes to zero with d. (By the damped force Fn it would grow as d^(-1/4).) What is
-// beyond mu Fn/St is taken away after the step, see contact.h.
+// Why xi*: xi may be beyond mu Fe/St, within a step or by the damped force Fn, and d as small as round-off. Then
+// xi d'/(2 d) has no bound; xi* d'/(2 d) is at most mu E* d'/(12 G*). What is beyond mu Fn/St is taken away after the
+// step, see contact.h.
 //
-// Where Mindlin's spring without rescaling is supplied with energy as it stiffens (an impact that sticks then returns
-// up to 1.04 times the slip speed for nu < 1/4), this one is not within xi*: it loses 1/4 St xi^2 |d'|/d, booked as
-// friction, since it stands for slip at the edge of the contact. Of a spring beyond, 1/4 St xi (2 xi* - xi) d'/d while d
-// grows; beyond 2 xi* that is supplied, and booked as `stiffening`.
+// Mindlin's spring without rescaling is supplied with energy as it stiffens: after an impact that sticks the slip is up
+// to 1/cos(pi/10) = 1.05 times that before, of spheres with nu < 1/4 (verification/sticking_impact.cpp). This spring
+// loses 1/4 St xi^2 |d'|/d instead, booked as friction. While d shrinks that stands for slip at the edge of the contact;
+// while d grows nothing slips, and the loss follows from counting the energy as F^2/(2 St). Of a spring beyond xi* it is
+// 1/4 St xi (2 xi* - xi) d'/d while d grows; beyond 2 xi* energy is supplied, and booked as `stiffening`.
 //
 // Source: Thornton, Cummins and Cleary 2013 (Powder Technol. 233, 30), their simplest model.
 #pragma once

@@ -7,13 +7,13 @@
 
 namespace furrow::reference {
 
-Body disc_of(const Moment& now, int disc) {
+Body disc_of(const Instant& now, int disc) {
   const Layout& at = now.layout;
   const double spin = now.parts.friction ? now.y[at.spin_of(disc)] : 0;
   return {{now.y[at.x_of(disc)], now.y[at.y_of(disc)]}, {now.y[at.vx_of(disc)], now.y[at.vy_of(disc)]}, spin};
 }
 
-Body node_of(const Moment& now, int node) {
+Body node_of(const Instant& now, int node) {
   const Layout& at = now.layout;
   const int body = now.parts.node.body[node];
   if (body < 0) {  // fixed or driven
@@ -25,13 +25,13 @@ Body node_of(const Moment& now, int node) {
 
 namespace {
 
-Body body_a(const Moment& now, const ContactId& pair) {
+Body body_a(const Instant& now, const ContactId& pair) {
   return of_disc(pair.kind) ? disc_of(now, pair.a) : node_of(now, pair.a);
 }
 
 // ---- geometry ----
 
-Proximity between_discs(const Moment& now, const ContactId& pair) {
+Proximity between_discs(const Instant& now, const ContactId& pair) {
   const Vec2 d = disc_of(now, pair.b).at - disc_of(now, pair.a).at;
   const double within = now.parts.disc.radius[pair.a] + now.parts.disc.radius[pair.b];  // m, distance at touch
   const double reach = within + now.parts.margin;
@@ -47,7 +47,7 @@ Proximity between_discs(const Moment& now, const ContactId& pair) {
   return found;
 }
 
-Proximity across(const Moment& now, const Gap& gap) {
+Proximity across(const Instant& now, const Gap& gap) {
   Proximity found;
   found.near = gap.gap < now.parts.margin;
   found.touching = gap.gap < 0;
@@ -57,13 +57,13 @@ Proximity across(const Moment& now, const Gap& gap) {
   return found;
 }
 
-Proximity to_wall_or_plate(const Moment& now, const ContactId& pair) {
+Proximity to_wall_or_plate(const Instant& now, const ContactId& pair) {
   const double t = now.discrete.preparing ? 0 : now.t;
   return across(now, held_gap(now.parts, now.discrete.faces, pair, body_a(now, pair).at, t));
 }
 
 // The nearest point of the border; of two equally near the one on the first segment.
-Proximity to_lattice(const Moment& now, const ContactId& pair) {
+Proximity to_lattice(const Instant& now, const ContactId& pair) {
   const BorderArrays& border = now.parts.border;
   const Vec2 a = disc_of(now, pair.a).at;
   const int auxiliary = now.parts.lattice[pair.b].auxiliary_points;
@@ -123,7 +123,7 @@ int law_of(const Parts& parts, const ContactId& pair) {
 // ---- kinematics ----
 
 // How b moves at the contact, without the part from its spin; the spin itself goes along.
-Body surface_b(const Moment& now, const ContactId& pair, const Proximity& near) {
+Body surface_b(const Instant& now, const ContactId& pair, const Proximity& near) {
   if (pair.kind == disc_disc) return disc_of(now, pair.b);
   if (of_plate(pair.kind)) {
     const PlateAt at = plate_at(now.parts.plate[pair.b], now.t, now.discrete.preparing);
@@ -136,14 +136,14 @@ Body surface_b(const Moment& now, const ContactId& pair, const Proximity& near) 
 }
 
 // m: to the contact point. Two discs share the overlap, so that their arms add up to the distance of the centres.
-double moment_arm(const Moment& now, const ContactId& pair, int disc, double overlap) {
+double moment_arm(const Instant& now, const ContactId& pair, int disc, double overlap) {
   const double share = pair.kind == disc_disc ? now.parts.pair_arm_shortening : now.parts.flat_arm_shortening;
   return now.parts.disc.radius[disc] - share * overlap;
 }
 
 }  // namespace
 
-Proximity proximity(const Moment& now, const ContactId& pair) {
+Proximity proximity(const Instant& now, const ContactId& pair) {
   switch (pair.kind) {
     case disc_disc:
       return between_discs(now, pair);
@@ -154,7 +154,7 @@ Proximity proximity(const Moment& now, const ContactId& pair) {
   }
 }
 
-int slot_followed(const Moment& now, const DiscreteState::Held& held) {
+int slot_followed(const Instant& now, const DiscreteState::Held& held) {
   const ContactId pair{static_cast<ContactKind>(held.kind), held.a, held.b};
   if (!now.parts.flush_plates || !of_plate(pair.kind)) return -1;
   const double t = now.discrete.preparing ? 0 : now.t;
@@ -162,7 +162,7 @@ int slot_followed(const Moment& now, const DiscreteState::Held& held) {
   return other < 0 ? -1 : slot_of(now.discrete, {pair.kind, pair.a, other});
 }
 
-Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near) {
+Contact contact_of(const Instant& now, const ContactId& pair, const Proximity& near) {
   const Parts& parts = now.parts;
   Contact c;
   c.id = pair;
@@ -202,7 +202,7 @@ Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& ne
   return c;
 }
 
-double energy_at_opening(const Moment& now, const ContactId& pair, double spring, double turn) {
+SpringEnergies energy_at_opening(const Instant& now, const ContactId& pair, double spring, double turn) {
   return furrow::energy_at_opening(now.parts.law[law_of(now.parts, pair)], radius_of(now.parts, pair), spring, turn);
 }
 

@@ -25,16 +25,16 @@ void add(Load& sum, double fx, double fy, double torque) {
 struct Sums {
   std::vector<Load> disc, node;
   ContactPowers powers;
-  double plate_work = 0;    // W
-  double link_damping = 0;  // W
+  double plate_power = 0;  // W
+  double link_power = 0;   // W
 };
 
-TouchPowers powers_of(const Moment& now, const Contact& c) {
+TouchPowers powers_of(const Instant& now, const Contact& c) {
   return contact_powers(now.parts.law[c.law], c.touch, c.force);
 }
 
 // Pairs of discs, block by block; what they do to a disc of a later block is added after all blocks.
-void add_disc_pairs(const Moment& now, const std::vector<Contact>& contacts, Sums& sums) {
+void add_disc_pairs(const Instant& now, const std::vector<Contact>& contacts, Sums& sums) {
   std::vector<ContactPowers> block(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));
   std::vector<std::pair<int, Load>> boundary;
   for (const Contact& c : contacts) {
@@ -52,7 +52,8 @@ void add_disc_pairs(const Moment& now, const std::vector<Contact>& contacts, Sum
   for (std::size_t k = 1; k < block.size(); ++k) sums.powers.add(block[k]);
 }
 
-void add_other_contacts(const Moment& now, const std::vector<Contact>& contacts, Sums& sums) {
+// A plate feels the opposite, -(fx, fy), of each of its contacts: run/observe.cpp sums it for files and watches.
+void add_other_contacts(const Instant& now, const std::vector<Contact>& contacts, Sums& sums) {
   for (const Contact& c : contacts) {
     if (c.id.kind == disc_disc) continue;
     add(of_disc(c.id.kind) ? sums.disc[c.id.a] : sums.node[c.id.a], c.fx, c.fy, c.torque_a);
@@ -64,12 +65,12 @@ void add_other_contacts(const Moment& now, const std::vector<Contact>& contacts,
     sums.powers.add(powers_of(now, c), now.parts.friction);
     if (of_plate(c.id.kind)) {
       const PlateAt at = plate_at(now.parts.plate[c.id.b], now.t, now.discrete.preparing);
-      sums.plate_work += c.fx * at.vx + c.fy * at.vy;
+      sums.plate_power += c.fx * at.vx + c.fy * at.vy;
     }
   }
 }
 
-void add_links(const Moment& now, Sums& sums) {
+void add_links(const Instant& now, Sums& sums) {
   const LinkArrays& link = now.parts.link;
   for (int k = 0; k < link.count(); ++k) {
     if (is_torn(now.discrete, k)) continue;
@@ -79,20 +80,20 @@ void add_links(const Moment& now, Sums& sums) {
                                    link.damping[k], link.axial[k] != 0);
     add(sums.node[link.a[k]], f.fx, f.fy, 0);
     add(sums.node[link.b[k]], -f.fx, -f.fy, 0);
-    sums.link_damping += f.damping;
+    sums.link_power += f.damping;
   }
 }
 
 // What moves driven nodes holds them against the sum of forces.
-void drive(const Moment& now, Sums& sums) {
+void drive(const Instant& now, Sums& sums) {
   for (const int n : now.parts.driven) {
     const Vec2 v = node_of(now, n).velocity;
-    sums.plate_work -= sums.node[n].fx * v.x + sums.node[n].fy * v.y;
+    sums.plate_power -= sums.node[n].fx * v.x + sums.node[n].fy * v.y;
   }
 }
 
 // Newton's law, body by body.
-void accelerate(const Moment& now, const Sums& sums, State& rates) {
+void accelerate(const Instant& now, const Sums& sums, State& rates) {
   const Parts& parts = now.parts;
   const Layout& at = now.layout;
   for (int i = 0; i < parts.disc.count(); ++i) {
@@ -115,8 +116,8 @@ void book(const Layout& at, const Sums& sums, State& rates) {
   rates[at.ledger_of(friction_work)] = sums.powers.friction;
   rates[at.ledger_of(rolling_work)] = sums.powers.rolling;
   rates[at.ledger_of(stiffening)] = sums.powers.stiffening;
-  rates[at.ledger_of(link_damping)] = sums.link_damping;
-  rates[at.ledger_of(plate_work)] = sums.plate_work;
+  rates[at.ledger_of(link_damping)] = sums.link_power;
+  rates[at.ledger_of(plate_work)] = sums.plate_power;
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ void for_each_pair(const Parts& parts, const std::function<void(const ContactId&
   }
 }
 
-std::vector<Contact> contacts(const Moment& now) {
+std::vector<Contact> contacts(const Instant& now) {
   std::vector<Contact> touching;
   for_each_pair(now.parts, [&](const ContactId& pair) {
     const Proximity near = proximity(now, pair);
@@ -149,7 +150,7 @@ std::vector<Contact> contacts(const Moment& now) {
   return touching;
 }
 
-void flow(const Moment& now, State& rates) {
+void flow(const Instant& now, State& rates) {
   const Layout& at = now.layout;
   const Parts& parts = now.parts;
   Sums sums;
@@ -166,7 +167,7 @@ void flow(const Moment& now, State& rates) {
   accelerate(now, sums, rates);
   for (const Contact& c : touching) {
     if (c.slot < 0) continue;
-    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi' = vt
+    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi', vt but where rescaled
     if (rolls_on_spring(parts.law[c.law])) rates[at.turn_of(c.slot)] = c.touch.spin;  // theta' = w
   }
   for (const DiscreteState::Held& held : now.discrete.held) {

@@ -25,7 +25,7 @@ class Slots {
     ++discrete_.jumps;
     std::vector<DiscreteState::Held> held;
     auto next = discrete_.held.begin();
-    const Moment now{parts_, layout_, discrete_, t, y_};
+    const Instant now{parts_, layout_, discrete_, t, y_};
     for_each_pair(parts_, [&](const ContactId& pair) {
       const bool near = proximity(now, pair).near;
       const bool holds = next != discrete_.held.end() && same(*next, pair);
@@ -46,7 +46,7 @@ class Slots {
   }
 
  private:
-  // Then the contact touches, or it did within the step.
+  // A spring that is not zero: the contact touches, or did so within the step.
   bool stretched(int slot) const {
     const auto first = y_.begin() + layout_.spring_of(slot);
     return std::any_of(first, first + layout_.slot_width, [](double number) { return number != 0; });
@@ -77,7 +77,7 @@ class Slots {
 };
 
 // The springs of contacts that another plate feels instead are that plate's. True if one was not.
-bool follow_springs(const Moment& now, State& y) {
+bool follow_springs(const Instant& now, State& y) {
   bool changed = false;
   for (const DiscreteState::Held& held : now.discrete.held) {
     const int leader = slot_followed(now, held);
@@ -94,7 +94,7 @@ bool follow_springs(const Moment& now, State& y) {
 // J: the heat of an entry of the ledger, block by block; the first begins with what is there.
 class Heat {
  public:
-  Heat(const Moment& now, Ledger entry) : of_block_(static_cast<std::size_t>(blocks_of(now.parts.disc.count()))) {
+  Heat(const Instant& now, Ledger entry) : of_block_(static_cast<std::size_t>(blocks_of(now.parts.disc.count()))) {
     if (now.parts.keeps_ledger) of_block_[0] = now.y[now.layout.ledger_of(entry)];
   }
   void add(const ContactId& pair, double heat) { of_block_[pair.kind == disc_disc ? block_of(pair.a) : 0] += heat; }
@@ -108,9 +108,10 @@ class Heat {
   std::vector<double> of_block_;
 };
 
-// |xi| <= mu Fn / St, |theta| <= mu_r R* Fn / kr; the energy that this frees is heat of friction and of rolling. Without
-// a touch a spring holds nothing: what it held is heat of friction.
-bool return_springs(const Moment& now, State& y) {
+// |xi| <= mu Fn / St, or xi as physics/damping.h has it after slip; |theta| <= mu_r R* Fn / kr. The energy that this
+// frees is heat of friction and of rolling (negative where the damper's share stretches a spring). Without a touch a
+// spring holds nothing: what it held is heat too.
+bool return_springs(const Instant& now, State& y) {
   Heat sliding(now, friction_work), rolling(now, rolling_work);
   bool changed = false;
   const auto set = [&](double& number, double value) {
@@ -124,7 +125,9 @@ bool return_springs(const Moment& now, State& y) {
     const Proximity near = proximity(now, pair);
     if (!near.touching) {
       if (slot_followed(now, held) >= 0) continue;
-      sliding.add(pair, energy_at_opening(now, pair, spring, turn ? *turn : 0));
+      const SpringEnergies lost = energy_at_opening(now, pair, spring, turn ? *turn : 0);
+      sliding.add(pair, lost.tangential);
+      rolling.add(pair, lost.rolling);
       set(spring, 0);
       if (turn) set(*turn, 0);
       continue;
@@ -144,7 +147,7 @@ bool return_springs(const Moment& now, State& y) {
 }
 
 // The faces of plates that bodies keep from now on.
-HeldFaces faces_after(const Moment& now) {
+HeldFaces faces_after(const Instant& now) {
   HeldFaces kept;
   for_each_pair(now.parts, [&](const ContactId& pair) {
     if (!of_plate(pair.kind)) return;
@@ -156,7 +159,7 @@ HeldFaces faces_after(const Moment& now) {
 }
 
 // J, in the contacts of lattices.
-double energy_on_lattices(const Moment& now) {
+double energy_on_lattices(const Instant& now) {
   double energy = 0;
   for (const Contact& c : contacts(now)) {
     if (c.id.kind == disc_lattice) energy += stored_energy(now.parts, c);
@@ -165,7 +168,7 @@ double energy_on_lattices(const Moment& now) {
 }
 
 // Links over their strength. What energy the contacts with the border lose by its change is booked as torn.
-std::vector<Tear> tear_links(const Moment& now, DiscreteState& discrete, State& y) {
+std::vector<Tear> tear_links(const Instant& now, DiscreteState& discrete, State& y) {
   const LinkArrays& link = now.parts.link;
   std::vector<Tear> tears;
   double released = 0;  // J
@@ -197,7 +200,7 @@ Reference::Reference(const std::shared_ptr<const Parts>& parts)
 // First held faces, then slots, then springs, then the survey, then tears: springs are cut to the limit of a torn
 // border at the next jump.
 JumpReport Reference::jump(double t, State& y) {
-  const Moment now{*parts_, layout_, discrete_, t, y};
+  const Instant now{*parts_, layout_, discrete_, t, y};
   JumpReport report;
   if (parts_->tight_plates) discrete_.faces = faces_after(now);
   if (parts_->friction) {

@@ -1,5 +1,5 @@
-// The reference solver: flow and jump of a scene, every pair, contact after contact, as MODEL.md has it. It is there to
-// be read and to judge the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
+// The reference solver: flow and jump of a scene, every pair, contact after contact. It is there to be read and to judge
+// the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
 //
 // Read physics/contact.h (the law; its options: physics/contact_force.h), system/contact.h (which radius, mass, arm and
 // normal), system/discrete.h (the life of a tangential spring), system/held_faces.h (which face of a plate a body
@@ -21,8 +21,8 @@
 
 namespace furrow::reference {
 
-// A scene at one moment, as all functions here take it.
-struct Moment {
+// A scene at one instant, as all functions here take it.
+struct Instant {
   const Parts& parts;
   const Layout& layout;
   const DiscreteState& discrete;
@@ -36,37 +36,37 @@ struct Body {
   double spin = 0;  // rad/s
 };
 
-Body disc_of(const Moment& now, int disc);
-Body node_of(const Moment& now, int node);
+Body disc_of(const Instant& now, int disc);
+Body node_of(const Instant& now, int node);
 
 // How the two of a pair are to each other.
 struct Proximity {
   bool near = false;  // closer than Parts::margin
   bool touching = false;
   double overlap = 0;     // m; negative if they are apart
-  double nx = 0, ny = 0;  // unit vector from a to b, see system/contact.h
+  double nx = 0, ny = 0;  // direction from a to b, see system/contact.h
   int segment = -1;       // disc-lattice: the nearest one
   double share = 0;       // -, disc-lattice: where on it
 };
-Proximity proximity(const Moment& now, const ContactId& pair);
+Proximity proximity(const Instant& now, const ContactId& pair);
 
 // The contact of a pair that touches.
-Contact contact_of(const Moment& now, const ContactId& pair, const Proximity& near);
+Contact contact_of(const Instant& now, const ContactId& pair, const Proximity& near);
 
 // The slot whose spring that of this contact follows, because another plate feels the body; -1: none.
-int slot_followed(const Moment& now, const DiscreteState::Held& held);
+int slot_followed(const Instant& now, const DiscreteState::Held& held);
 
-// J: what the springs of a pair that touches no more still hold.
-double energy_at_opening(const Moment& now, const ContactId& pair, double spring, double turn);
+// What the springs of a pair that touches no more still hold.
+SpringEnergies energy_at_opening(const Instant& now, const ContactId& pair, double spring, double turn);
 
 // Every pair that there can be, in the order of the sums: see system/order.h.
 void for_each_pair(const Parts& parts, const std::function<void(const ContactId&)>& for_pair);
 
 // All contacts that touch, in the same order.
-std::vector<Contact> contacts(const Moment& now);
+std::vector<Contact> contacts(const Instant& now);
 
 // y' = f(t, y).
-void flow(const Moment& now, State& rates);
+void flow(const Instant& now, State& rates);
 
 class Reference final : public Solver {
  public:

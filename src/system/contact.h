@@ -11,7 +11,7 @@
 //   node-wall     contact_radius   ma                                0                   against the wall's normal
 //   node-plate    contact_radius   ma                                0                   to the nearest face
 //
-// n is a unit vector from a to b; of a centre inside a plate the inward normal of the nearest face, of one on the far
+// n points from a to b and is a unit vector; of a centre inside a plate the inward normal of the nearest face, of one on the far
 // side of a border the direction to the contact point. Of a plate whose faces are kept it is that of the kept face, and
 // shorter in its corners (physics/held_face.h). Fixed nodes have an infinite mass. With `moment_arm = "radius"` an arm
 // is the whole radius, with `half_overlap` R - d/2 of all kinds, as in LIGGGHTS.

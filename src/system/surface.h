@@ -10,7 +10,7 @@ namespace furrow {
 
 struct Gap {
   double gap;     // m, between the surfaces; negative: the overlap
-  double nx, ny;  // unit vector from the disc or node to the other part
+  double nx, ny;  // direction from the disc or node to the other part, see system/contact.h
 };
 
 struct PlateAt {

@@ -256,5 +256,21 @@ TEST(RescaledMindlin, BooksWhatItDoesNotStoreWithinItsLimitAndBeyond) {
   EXPECT_EQ(supplied, 4) << "both signs of 1e-4, damped and not, while the contact loads";
 }
 
+// kt xi^2/2 is heat of friction, kr theta^2/2 of rolling.
+TEST(EnergyAtOpening, IsBookedSpringBySpring) {
+  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0.1, false);
+  law.options.rolling_spring = true;
+  const SpringEnergies of_hertz = energy_at_opening(law, 0.1, 2e-3, 0.3);
+  EXPECT_EQ(of_hertz.tangential, 0);
+  EXPECT_EQ(of_hertz.rolling, 0);
+  law.options.rolling_stiffness = 7;
+  EXPECT_EQ(energy_at_opening(law, 0.1, 2e-3, 0.3).tangential, 0);
+  expect_close(energy_at_opening(law, 0.1, 2e-3, 0.3).rolling, 0.5 * 7 * 0.09);
+  law.options.force = ForceLaw::linear;
+  law.options.tangential_stiffness = 500;
+  expect_close(energy_at_opening(law, 0.1, 2e-3, 0.3).tangential, 0.5 * 500 * 4e-6);
+  expect_close(energy_at_opening(law, 0.1, 2e-3, 0.3).rolling, 0.5 * 7 * 0.09);
+}
+
 }  // namespace
 }  // namespace furrow
