@@ -31,7 +31,7 @@ def names_in(line):
         return ALIAS.findall(line)[:1]
     if found := TYPE.match(line):
         return [found[1]]
-    head = re.split(r"//| = |\{", line)[0]
+    head = re.split(r"//| = |\{", re.sub(r"\{[^{}()]*\}", "", line))[0]  # of several in one line, too
     if "(" in head:
         found = re.search(r"([\w:]+)\(", head)
         return [found[1]] if found and ":" not in found[1] else []
@@ -97,7 +97,9 @@ class Source:
             theirs = other.named.get(name) or other.of_headers.get(name)
             if theirs and not (theirs == line and line.startswith(("using ", "namespace "))):
                 return True
-        return False
+        variables = (name for header in self.headers - other.headers for name, line in read(header)[1].items()
+                     if line.startswith("inline constexpr ") and "(" not in re.split(r" = |\{", line)[0])
+        return any(name in other.locals for name in variables)  # -Wshadow, too
 
     def goes_with(self, other):
         if self.alone or other.alone or self.directives != other.directives:

@@ -46,6 +46,11 @@ class UnityGroups(unittest.TestCase):
         self.assertFalse(self.together(OPEN + "constexpr int same = 1;" + CLOSE, other))
         self.assertTrue(self.together(OPEN + "int same() { return 1; }" + CLOSE, other))
 
+    def test_a_variable_of_a_header_may_not_be_shadowed_by_a_source_that_does_not_have_it(self):
+        one, other = '#include "a_header.h"\n' + OPEN + "int first() { return 1; }" + CLOSE, OPEN + "int second(int same) { return same; }" + CLOSE
+        self.assertFalse(self.together(one, other, "namespace furrow {\ninline constexpr Pair full{}, same{9, 1.4};\n}  // namespace furrow\n"))
+        self.assertTrue(self.together(one, other, "namespace furrow {\ninline constexpr Pair full{}, another{9, 1.4};\n}  // namespace furrow\n"))
+
     def test_text_within_a_raw_string_declares_nothing(self):
         text = 'constexpr auto %s = R"(\nsame = 1\n)";'
         self.assertTrue(self.together(OPEN + text % "first" + CLOSE, OPEN + text % "second" + CLOSE))

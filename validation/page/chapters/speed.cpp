@@ -1,5 +1,5 @@
 // How fast is furrow beside other programs and beside the machine's limit? All times were taken by scripts/rivals,
-// scripts/track and scripts/scale.
+// scripts/track, scripts/scale and scripts/beyond.
 #include <map>
 #include <vector>
 
@@ -160,7 +160,7 @@ Report speed(const Shelf& shelf) {
   const Numbers& numbers = shelf.of("speed");
   Report report("Speed",
                 "How fast is furrow beside other programs on the same scene and beside the machine's limit, where does "
-                "the time go, up to how many discs, and from commit to commit?");
+                "the time go, up to how many discs, what lies beyond one machine, and from commit to commit?");
   const Json rivals = measured(numbers, "rivals.json");
   if (rivals.is_null()) {
     not_measured(report, "other programs on the same scene", "scripts/rivals");
@@ -170,6 +170,7 @@ Report speed(const Shelf& shelf) {
   add_limit(report, numbers);
   add_profile(report, numbers);
   add_scale(report, numbers);
+  add_beyond(report, numbers);
   add_tracking(report, numbers);
   return report;
 }

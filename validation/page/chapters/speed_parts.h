@@ -1,4 +1,4 @@
-// Parts of the chapter on speed that are about furrow alone; each says so where nothing was measured.
+// Parts of the chapter on speed; each says so where nothing was measured.
 #pragma once
 
 #include <string>
@@ -10,6 +10,7 @@ namespace furrow::validation {
 void add_profile(Report& report, const Numbers& numbers);
 void add_scale(Report& report, const Numbers& numbers);
 void add_tracking(Report& report, const Numbers& numbers);
+void add_beyond(Report& report, const Numbers& numbers);
 
 // The file's content; null if there is none.
 Json measured(const Numbers& numbers, const std::string& file);
