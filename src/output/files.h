@@ -78,8 +78,11 @@ class OutputFile {
   // Hands to the operating system what is still in memory.
   void flush();
 
-  // Of the file so far, with what flush() is still to hand over.
-  FileMark mark() const { return {written_ + buffer_.size(), hash_.value()}; }
+  // Of the file so far, all of it handed over: a run that is killed after it leaves no less.
+  FileMark mark() {
+    flush();
+    return {written_, hash_.value()};
+  }
 
   // Closes the file as it is and keeps the ending .partial.
   void close();

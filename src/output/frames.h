@@ -19,7 +19,7 @@ class Frames {
   // Writes run.pvd into `directory`, all else into `directory` / frames, which must exist.
   // Goes on after what was kept, if there is anything.
   Frames(const std::filesystem::path& directory, const Memory* kept);
-  Memory memory() const { return {count_, list_.mark(), pvd_.mark()}; }
+  Memory memory() { return {count_, list_.mark(), pvd_.mark()}; }
 
   // displacement: of the first plate, m; 0 without a plate.
   void add(const System& system, double t, double displacement, const State& y);

@@ -140,7 +140,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
     warnings.push_back(text);
     request.warn(text);
   });
-  Series series(request.directory, prepared->scene, validity, saved ? &saved->series() : nullptr);
+  Series series(request.directory, prepared->scene, saved ? &saved->series() : nullptr);
   const auto method = make_method(time.method, {time.relative_tolerance, time.absolute_tolerance, time.step});
   RunPoint point;
   FirstTouch touch;

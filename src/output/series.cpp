@@ -56,10 +56,9 @@ void SeriesMemory::require(const std::filesystem::path& directory, const Scene& 
       throw FileError("cannot go on with the run: there is no " + (directory / picture).string());
 }
 
-Series::Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity, const SeriesMemory* kept)
+Series::Series(const std::filesystem::path& directory, const Scene& scene, const SeriesMemory* kept)
     : scene_(scene),
       slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
-      validity_(validity),
       plates_(labels(scene.plate)),
       walls_(labels(scene.wall)),
       lattices_(labels(scene.lattice)),
@@ -91,7 +90,6 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, Valid
 }
 
 SeriesMemory Series::memory() {
-  flush();
   return {force_.mark(),
           wall_force_.mark(),
           drive_ ? drive_->mark() : FileMark(),
@@ -158,7 +156,6 @@ void Series::add_rows(const System& system, double t, const State& y) {
   if (system.keeps_ledger()) {
     energy_.row(t, e.kinetic, e.gravity, e.load, e.springs, e.contact_elastic, e.link_damping, e.contact_viscous,
                 e.friction, e.rolling, e.tear, e.plate_work, e.stiffening, e.residual(start_));
-    validity_.book(t, seen);
   }
   motion_.row(t, seen.momentum.x, seen.momentum.y, seen.momentum.angular, seen.contacts, seen.overlap.depth,
               seen.overlap.relative, greatest_speed(system, y));

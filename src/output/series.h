@@ -11,7 +11,7 @@
 
 #include "output/files.h"
 #include "output/frames.h"
-#include "run/validity.h"
+#include "run/observe.h"
 #include "scene/scene.h"
 
 namespace furrow {
@@ -34,10 +34,8 @@ struct SeriesMemory {
 class Series {
  public:
   // plate_force.csv, wall_force.csv, energy.csv, motion.csv, events.csv, frames/frames.csv and run.pvd of this scene, which must
-  // outlive the series, in `directory`. They go on after what was kept, if there is anything. `validity` looks at the
-  // energy of each row.
-  Series(const std::filesystem::path& directory, const Scene& scene, Validity& validity,
-         const SeriesMemory* kept = nullptr);
+  // outlive the series, in `directory`. They go on after what was kept, if there is anything.
+  Series(const std::filesystem::path& directory, const Scene& scene, const SeriesMemory* kept = nullptr);
 
   // All rows so far are in the files.
   SeriesMemory memory();
@@ -62,9 +60,8 @@ class Series {
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;
-  double flushed_ = 0;  // s, of the clock
-  const double slack_;  // s
-  Validity& validity_;
+  double flushed_ = 0;                                  // s, of the clock
+  const double slack_;                                  // s
   std::vector<std::string> plates_, walls_, lattices_;  // what rows call them
   OutputFile force_, wall_force_, energy_, motion_, events_;
   std::unique_ptr<OutputFile> drive_;  // of a scene that drives nodes

@@ -37,7 +37,7 @@ Vec2 node_place(const System& system, double t, const State& y, int node) {
 // Twice the area of the triangle a, b, p: positive if p is to the left of a -> b.
 double side_of(Vec2 a, Vec2 b, Vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
 
-bool crosses_segment(const System& system, const Step& s, int disc, int segment) {
+bool crosses_segment(const System& system, const Step& s, const Path& point, int segment) {
   const BorderArrays& border = system.parts().border;
   const int link = border.link[segment];
   if (border.a[segment] == border.b[segment] || (link >= 0 && system.torn(link))) return false;
@@ -45,11 +45,10 @@ bool crosses_segment(const System& system, const Step& s, int disc, int segment)
     return Path{node_place(system, t, y, border.a[segment]), node_place(system, t, y, border.b[segment])};
   };
   const Path was = ends(s.t - s.h, s.before), is = ends(s.t, s.after);
-  const Vec2 from = place(system, s.before, disc), to = place(system, s.after, disc);
-  const double left_before = side_of(was.from, was.to, from), left_after = side_of(is.from, is.to, to);
+  const double left_before = side_of(was.from, was.to, point.from), left_after = side_of(is.from, is.to, point.to);
   if ((left_before > 0) == (left_after > 0)) return false;
   const double ux = is.to.x - is.from.x, uy = is.to.y - is.from.y;
-  const double along = (to.x - is.from.x) * ux + (to.y - is.from.y) * uy;
+  const double along = (point.to.x - is.from.x) * ux + (point.to.y - is.from.y) * uy;
   return along >= 0 && along <= ux * ux + uy * uy;
 }
 
@@ -110,10 +109,11 @@ bool share_a_node(const BorderArrays& border, int one, int other) {
 
 bool crosses_border(const System& system, const Step& s, const Survey::Near& near) {
   const BorderArrays& border = system.parts().border;
+  const Path path{place(system, s.before, near.contact.a), place(system, s.after, near.contact.a)};
   const auto crosses = [&](int segment) {
     const bool there =
         segment >= 0 && segment < border.count() && border.lattice[segment] == border.lattice[near.segment];
-    return there && crosses_segment(system, s, near.contact.a, segment);
+    return there && crosses_segment(system, s, path, segment);
   };
   if (!system.parts().new_faces) return crosses(near.segment - 1) || crosses(near.segment) || crosses(near.segment + 1);
   return std::any_of(system.border().begin(), system.border().end(),
@@ -157,12 +157,11 @@ std::vector<char> torn_lattices(const System& system) {
 }
 
 std::string names_of(const System& system, int one, int other) {
-  const auto name = [&](int segment) {
-    const int lattice = system.parts().border.lattice[segment];
+  const auto name = [&](int lattice) {
     const std::string& given = system.parts().lattice[lattice].name;
     return "lattice " + (given.empty() ? std::to_string(lattice) : given);
   };
-  return name(one) == name(other) ? "parts of " + name(one) : name(one) + " and " + name(other);
+  return one == other ? "parts of " + name(one) : name(one) + " and " + name(other);
 }
 
 }  // namespace
@@ -180,7 +179,31 @@ CrossingBorders crossing_borders(const System& system, double t, const State& y)
       const bool apart = border.lattice[p.segment] != border.lattice[q.segment] || torn[border.lattice[p.segment]] != 0;
       if (!apart || share_a_node(border, p.segment, q.segment) || !p.box.meets(q.box)) continue;
       if (segments_cross(p.a, p.b, q.a, q.b) && ++found.pairs == 1)
-        found.where = names_of(system, std::min(p.segment, q.segment), std::max(p.segment, q.segment));
+        found.where = names_of(system, std::min(border.lattice[p.segment], border.lattice[q.segment]),
+                               std::max(border.lattice[p.segment], border.lattice[q.segment]));
+    }
+  }
+  return found;
+}
+
+CrossingBorders passed_borders(const System& system, const Step& s) {
+  const Parts& parts = system.parts();
+  CrossingBorders found;
+  if (parts.lattice.size() < 2) return found;
+  std::vector<Box> box(parts.lattice.size());
+  std::vector<Path> path;
+  for (int n = 0; n < parts.node.count(); ++n) {
+    path.push_back({node_place(system, s.t - s.h, s.before, n), node_place(system, s.t, s.after, n)});
+    box[parts.node.lattice[n]].add(path.back().from);
+    box[parts.node.lattice[n]].add(path.back().to);
+  }
+  for (const int segment : system.border()) {
+    const int link = parts.border.link[segment], own = parts.border.lattice[segment];
+    if (link >= 0 && parts.link.kind[link] == LinkClass::shear) continue;
+    for (int n = 0; n < parts.node.count(); ++n) {
+      const int other = parts.node.lattice[n];
+      if (other == own || !box[own].meets(box[other]) || !crosses_segment(system, s, path[n], segment)) continue;
+      if (++found.pairs == 1) found.where = names_of(system, std::min(own, other), std::max(own, other));
     }
   }
   return found;
@@ -190,17 +213,19 @@ ContactId stepped_over(const System& system, const Step& s) {
   const Parts& parts = system.parts();
   for (int k = 0; k < static_cast<int>(parts.plate.size()); ++k) {
     const PlatePart& p = parts.plate[k];
-    const auto over = [&](int body, double radius) {
+    const auto over = [&](const ContactId& contact, int body, double radius) {
       const Path path = path_from_plate(system, s, k, body);
       const double width = 0.5 * p.width + radius, height = 0.5 * p.height + radius;
-      return !inside_box(path.from, width, height) && !inside_box(path.to, width, height) &&
-             meets_box(path, 0.5 * p.width, 0.5 * p.height);
+      if (inside_box(path.to, width, height)) return false;
+      return inside_box(path.from, width, height) ? crosses_plate(system, s, contact)
+                                                  : meets_box(path, 0.5 * p.width, 0.5 * p.height);
     };
     for (int i = 0; i < parts.disc.count(); ++i) {
-      if (over(i, parts.disc.radius[i])) return {disc_plate, i, k};
+      if (const ContactId one{disc_plate, i, k}; over(one, i, parts.disc.radius[i])) return one;
     }
     for (int n = 0; n < parts.node.count(); ++n) {
-      if (parts.node.body[n] >= 0 && over(parts.node.body[n], 0)) return {node_plate, n, k};
+      const int body = parts.node.body[n];
+      if (const ContactId one{node_plate, n, k}; body >= 0 && over(one, body, 0)) return one;
     }
   }
   return {};

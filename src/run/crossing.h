@@ -22,8 +22,11 @@ struct CrossingBorders {
 };
 CrossingBorders crossing_borders(const System& system, double t, const State& y);
 
-// The first disc or node that in this step came from one side of a plate to another and touches it neither before nor
-// after: the plate stepped over it. a = -1: none.
+// Nodes that crossed a border segment of another lattice in the step.
+CrossingBorders passed_borders(const System& system, const Step& step);
+
+// The first disc or node that in this step came from one side of a plate to another and no longer touches it: the plate
+// stepped over it. a = -1: none.
 ContactId stepped_over(const System& system, const Step& step);
 
 }  // namespace furrow

@@ -102,16 +102,20 @@ double EventSteps::step(double t, State& y, double end, double h, JumpReport& re
   ++memory_.steps;
   const bool controlled = method_.info().controlled;
   int found = 0;
+  double plain_until =
+      t;  // s: where a trial step saw an event that does not happen, its change of regime is taken as it is
   while (t < end) {
     const State before = y;
-    const double target = controlled ? end : next_time(t, end, h);
+    const bool plain = t < plain_until;
+    const double target = plain ? plain_until : controlled ? end : next_time(t, end, h);
     const bool whole = !controlled && std::fabs(target - t - h) < 1e-9 * h;  // round-off makes no other step
     const double length = whole ? h : target - t;
     const double taken = method_.step(system_, t, y, length);
     const double reached = taken < length ? t + taken : target;
     const Regime then = regime(reached, y);
-    if (then == memory_.now) {
+    if (then == memory_.now || plain) {
       accept(before, reached, y, taken, report);
+      if (then != memory_.now) memory_.now = regime(reached, y);
       t = reached;
       if (controlled) break;
       continue;
@@ -124,7 +128,9 @@ double EventSteps::step(double t, State& y, double end, double h, JumpReport& re
     } else {
       y = before;
       method_.restart();
+      const long events = memory_.events;
       t = approach(t, y, reached, report);
+      if (memory_.events == events) plain_until = reached;
     }
     if (++found > most_events_in_a_step || (memory_.steps > enough_to_judge && memory_.events > memory_.steps / 2))
       throw Divergence("events come in nearly every step, " + std::to_string(memory_.events) + " in " +

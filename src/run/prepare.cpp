@@ -1,6 +1,7 @@
 #include "run/prepare.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "run/observe.h"
 #include "run/run.h"
@@ -12,8 +13,9 @@
 namespace furrow {
 namespace {
 
-constexpr int settling_looked_at_every = 100;  // steps
-constexpr double first_look = 0.1;             // s: discs that start at rest have begun to fall by then
+constexpr long settling_looked_at_every = 100;  // steps, or more often
+constexpr double looks_while_held = 10;         // at least
+constexpr double first_look = 0.1;              // s: discs that start at rest have begun to fall by then
 
 struct Settled {
   System system;
@@ -60,12 +62,14 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   bool interrupted = false;
   double speed = 0;
   double slow_since = 0;
+  const double hold = std::max(placed.settle->hold, first_look);
+  const long every = std::clamp(std::lround(hold / (looks_while_held * step)), 1L, settling_looked_at_every);
   const RunEnd end = run(system, *method, result.y, plan, [&](double t, const State& y, const JumpReport&) {
-    if (++steps % settling_looked_at_every != 0) return true;
+    if (++steps % every != 0) return true;
     speed = greatest_speed(system, y, placed.settle->loose.value_or(0));
     interrupted = progress && !progress(t, speed);
     if (speed > placed.settle->speed) slow_since = t;
-    return !interrupted && t - slow_since < std::max(placed.settle->hold, first_look);
+    return !interrupted && t - slow_since < hold;
   });
   if (interrupted) throw Interrupted("interrupted while settling");
   validity.conclude();
@@ -80,7 +84,8 @@ Settled settle(const Scene& placed, const SettleProgress& progress) {
   if (end.ending == Ending::finished) {
     text << "not settled after " << placed.settle->limit << " s: the fastest body"
          << (placed.settle->loose ? " that is not loose" : "") << " moves at " << speed << " m/s, settle.speed is "
-         << placed.settle->speed << " m/s; raise settle.limit, settle.speed or settle.loose, or shorten settle.step";
+         << placed.settle->speed << " m/s, for " << hold
+         << " s; raise settle.limit, settle.speed or settle.loose, or shorten settle.step";
     for (const std::string& warning : result.warnings) text << "; " << warning;
     throw Divergence(text.str());
   }

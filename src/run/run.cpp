@@ -37,22 +37,22 @@ FURROW_WIDE bool all_near_lanes(const double* one, const double* other, const do
 FURROW_WIDTHS(bool, all_near, (const double* one, const double* other, const double* limit, std::size_t n),
               (one, other, limit, n))
 
-// A body that moves further than its size in a step passes contacts unseen: the step is too long, or the run has blown
-// up.
+// A body that moves further than its size in a step, or a node further than the smallest disc's radius, passes contacts
+// unseen: the step is too long, or the run has blown up.
 class Watch {
  public:
   explicit Watch(const System& system) : system_(system) {
     const Parts& parts = system.parts();
     size_ = parts.disc.radius;
+    for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
     for (int n = 0; n < parts.node.count(); ++n) {
-      if (parts.node.body[n] >= 0) size_.push_back(parts.node.spacing[n]);
+      if (parts.node.body[n] >= 0) size_.push_back(std::min(parts.node.spacing[n], least_radius_));
     }
     for (const PlatePart& p : parts.plate) {
       quarter_side_ = std::min({quarter_side_, p.width / 4, p.height / 4});
       plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
     }
     for (const double size : size_) least_size_ = std::min(least_size_, size);
-    for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
   }
 
   // Empty if the step from `before` to `after` is sound; else `body` is the one that went too far, if any.
@@ -74,8 +74,9 @@ class Watch {
       body = static_cast<int>(i);
       text << system_.parts().body_name(body);
       if (std::isfinite(moved)) {
-        text << " moved " << moved << " m in one step of " << step.h << " s, more than its size of " << size_[i]
-             << " m";
+        const bool by_disc = i >= system_.parts().disc.radius.size() && size_[i] == least_radius_;
+        text << " moved " << moved << " m in one step of " << step.h << " s, more than "
+             << (by_disc ? "the radius of the smallest disc, " : "its size of ") << size_[i] << " m";
       } else {
         text << " has a position that is not finite";
       }
@@ -213,6 +214,8 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     copied.resize(y.size());
     if (copies) copy_in_ranges(system.threads(), y.data(), y.size(), copied.data());
     if (!after_step(at.time, y, report)) end.ending = Ending::stopped;
+    if (plan.validity && system.keeps_ledger() && at.time >= plan.end - tiny)
+      plan.validity->book(at.time, observe(system, at.time, y));
     if (plan.validity && !plan.validity->failure().empty()) {
       end.ending = Ending::invalid;
       end.reason = plan.validity->failure() + driven_by(system, at.time, y, -1, method.info().name);
@@ -256,6 +259,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   } catch (const Divergence& failure) {
     if (before != &y) y = *before;
     system.fit(y);
+    if (plan.validity && system.keeps_ledger()) plan.validity->book(at.time, observe(system, at.time, y));
     end.ending = Ending::diverged;
     end.reason = failure.what() + driven_by(system, at.time, y, body, method.info().name);
   } catch (const Interrupted&) {

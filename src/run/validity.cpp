@@ -31,7 +31,7 @@ constexpr std::array<Rule, watch_kinds> rules{{
     {WatchKind::through_plates, "through_plates", 0, 0, "centres that have crossed the middle of a plate: ", ""},
     {WatchKind::through_lattices, "through_lattices", 0, 0, "centres that have crossed the border of a lattice: ", ""},
     {WatchKind::crossing_lattices, "crossing_lattices", 0, infinity,
-     "lattices reach through each other; pairs of segments that cross: ", ""},
+     "lattices reach through each other; crossings of their borders: ", ""},
     {WatchKind::impact, "impact", 1, infinity, "a contact has ",
      " times the energy that carries the one through the other"},
     {WatchKind::step, "step", 0.5, infinity, "the step is ", " times the largest stable one"},
@@ -116,6 +116,7 @@ void Validity::history(HistoryVisitor& visit) {
   visit("plate power", plate_power_);
   visit("since booked", since_booked_);
   visit("since crossed", since_crossed_);
+  visit("passed", passed_);
   visit("stepped overlap", stepped_overlap_);
   visit("stepped contacts", stepped_contacts_);
   stiffest_->part.history(visit);
@@ -208,7 +209,12 @@ void Validity::look_for_crossings(const Step& step, const Survey& survey) {
 }
 
 void Validity::look_at_borders(const Step& step) {
-  if (system_.parts().lattice.empty() || (since_crossed_++ % borders_every) != 0) return;
+  if (system_.parts().lattice.empty()) return;
+  if (const CrossingBorders now = step.h > 0 ? passed_borders(system_, step) : CrossingBorders(); now.pairs > 0) {
+    passed_ += now.pairs;
+    look(WatchKind::crossing_lattices, step.t, passed_, [&] { return now.where; });
+  }
+  if ((since_crossed_++ % borders_every) != 0) return;
   const CrossingBorders found = crossing_borders(system_, step.t, step.after);
   look(WatchKind::crossing_lattices, step.t, found.pairs, [&] { return found.where; });
 }

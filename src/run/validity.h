@@ -7,8 +7,9 @@
 //   behind_walls     discs whose centres are behind a wall, at once                    0              0
 //   through_plates   centres that crossed the middle of a plate                        0              0
 //   through_lattices centres that crossed a whole border segment                       0              0
-//   crossing_lattices pairs of border segments that cross: of two lattices, or of       0               -
-//                    parts of a torn one, which do not touch each other
+//   crossing_lattices pairs of border segments that cross, of two lattices or of parts  0               -
+//                    of a torn one, which do not touch each other; or nodes that have
+//                    crossed another lattice's border
 //   impact           energy of a contact, of what carries the one through the other   1               -
 //   step             step, of the largest stable one at the contacts that are there   0.5             -
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -
@@ -17,9 +18,8 @@
 // Overlap: at 0.1 a contact is 0.3 radii wide, too wide for Hertz's half-space; at 1 a centre reaches the other's
 // surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
 // means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
-// Energy is looked at where rows are written and every 200 steps, since what was made stays in the residual; crossing
-// lattices every 50 steps; the step
-// when contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by
+// Energy is looked at every 200 steps and at the end, since what was made stays in the residual; crossing lattices every
+// 50 steps, lattices that pass each other at each; the step when contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by
 // the fastest that there was; all else at each step.
 #pragma once
 
@@ -130,6 +130,7 @@ class Validity {
   double plate_power_ = 0;                             // W, of the last step
   long since_booked_ = 0;                              // steps
   long since_crossed_ = 0;                             // steps with lattices
+  int passed_ = 0;                                     // nodes that crossed another lattice's border, so far
   double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last
   struct Stiffest;
   std::unique_ptr<Stiffest> stiffest_;  // that there was, and by which the step was judged

@@ -48,7 +48,7 @@ void Survey::see(const Parts& parts, const Contact& c, ContactExtremes& sum) {
   if (of_plate(c.id.kind)) {
     plate_fx[c.id.b] -= c.fx;
     plate_fy[c.id.b] -= c.fy;
-    if (c.touch.overlap > radius) near.push_back({c.id, -1});
+    if (radius - c.touch.overlap < reach) near.push_back({c.id, -1});
   }
   if (near_border(parts, c, reach)) near.push_back({c.id, c.segment});
 }

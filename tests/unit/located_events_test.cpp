@@ -161,5 +161,18 @@ TEST(LocatedEvents, ADivergedStepLeavesTheStateBeforeIt) {
   }
 }
 
+// A disc that touches a wall by rounding, without a force: regimes change with the last bit, events there are none.
+TEST(LocatedEvents, WhatOnlyRoundingChangesIsNoEvent) {
+  Scene scene = empty_scene();
+  scene.model.gravity = 0;
+  scene.wall = {wall({0, 0}, {0, 1})};
+  scene.disc = {disc({0.1, 0.01}, 0.01)};
+  scene.time.end = 0.01;
+  for (const MethodInfo& info : method_catalogue()) {
+    const Located run(scene, info.name, 1e-4, Locate::all);
+    EXPECT_EQ(run.end.ending, Ending::finished) << info.name << ": " << run.end.reason;
+  }
+}
+
 }  // namespace
 }  // namespace furrow

@@ -196,5 +196,16 @@ TEST_F(OutputFiles, NamesOfAnyKindComeBackFromATable) {
   EXPECT_EQ(table.numbers("number"), std::vector<double>(names.size(), 3.0));
 }
 
+// Or a killed run could not go on from it.
+TEST_F(OutputFiles, WhatAMarkCountsIsInTheFile) {
+  OutputFile file(directory_ / "a.csv", "t [s]");
+  const FileMark headed = file.mark();
+  EXPECT_EQ(headed.bytes, 6u);
+  EXPECT_EQ(fs::file_size(directory_ / "a.csv.partial"), 6u);
+  file.row(0.5);
+  EXPECT_EQ(file.mark().bytes, 10u);
+  EXPECT_EQ(text_of(directory_ / "a.csv.partial"), "t [s]\n0.5\n");
+}
+
 }  // namespace
 }  // namespace furrow

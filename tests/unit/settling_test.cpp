@@ -221,5 +221,20 @@ TEST(SurfaceHeight, IsOfStripsAsWideAsTheMeanDisc) {
   EXPECT_NEAR(surface_height(wide, wide.initial_state()), (0.2 + 1.1 + 0.6) / 3, 1e-12);
 }
 
+// 4.914 m/s up: at rest for an instant, after 0.501 s, 1.7 m above the floor.
+TEST(Settling, AThrownDiscIsNotSettledAtTheTopOfItsWay) {
+  for (const double step : {5.06e-3, 5.009e-3, 1e-3}) {
+    Scene scene = empty_scene();
+    scene.model.gravity = 9.81;
+    scene.contact.damping_factor = 0.5;
+    scene.wall = {wall({0, 0}, {0, 1})};
+    scene.disc = {disc({0, 0.5}, 0.05, {0, 4.914})};
+    scene.time.step = step;
+    scene.settle = Settle{};
+    scene.settle->limit = 1;  // it is back on the floor after 1.1 s
+    EXPECT_THROW(prepare(scene), Divergence) << step;
+  }
+}
+
 }  // namespace
 }  // namespace furrow

@@ -1,0 +1,90 @@
+// What passes through something between two steps is seen, wherever its places before and after the step are.
+#include <gtest/gtest.h>
+
+#include "watched_run.h"
+
+namespace furrow::test {
+namespace {
+
+Scene soft_scene() {
+  Scene scene = empty_scene();
+  scene.model.gravity = 0;
+  for (Material& m : scene.material) m.young = 1e4;
+  return scene;
+}
+
+// 9 mm a step: before it and after it the disc touches the plate, 1 mm thick, from the two sides.
+TEST(Passing, ADiscWhoseCentreIsInAPlateAtNoEndOfAStepHasGoneThrough) {
+  int through = 0;
+  for (int place = 0; place < 9; ++place) {
+    Scene scene = soft_scene();
+    scene.disc = {disc({0, 0}, 0.01, {9, 0})};
+    scene.plate = {plate({0.0105 + 1e-3 * place, -0.05}, 0.001, 0.1)};
+    const WatchedRun r = watched(scene, "pece", 1e-3, 0.02);
+    const bool gone = r.y[0] > scene.plate[0].left_edge + 0.001;
+    through += gone ? 1 : 0;
+    if (gone) {
+      EXPECT_NE(r.end.ending, Ending::finished) << "place " << place;
+    }
+  }
+  EXPECT_GT(through, 4) << "or nothing was tried";
+}
+
+// So soft that nothing stops it: 2 mm a step, the plate is 1 mm thick.
+TEST(Passing, ANodeThatLeavesAPlateByTheOtherFaceHasGoneThrough) {
+  for (int place = 0; place < 10; ++place) {
+    Scene scene = soft_scene();
+    for (Material& m : scene.material) m.young = 10;
+    Lattice l = lattice({0, 0}, 1, 1, 0.05);
+    l.node = {node_setting(0, 0, {}, {1, 0})};
+    scene.lattice = {l};
+    scene.plate = {plate({0.0101 + 2e-4 * place, -0.1}, 1e-3, 0.2)};
+    EXPECT_NE(watched(scene, "pece", 2e-3, 0.04).end.ending, Ending::finished) << "place " << place;
+  }
+}
+
+TEST(Passing, ALatticeDoesNotStepOverADisc) {
+  Scene scene = soft_scene();
+  scene.disc = {disc({0.0303, 0.005}, 1e-4)};
+  Lattice l = lattice({0, 0}, 2, 2, 0.01);
+  l.structural = {1e3, 0.1};
+  l.auxiliary_points = 0;
+  for (const int row : {0, 1})
+    for (const int column : {0, 1}) l.node.push_back(node_setting(row, column, {}, {9, 0}));
+  scene.lattice = {l};
+  const WatchedRun r = watched(scene, "pece", 1e-3, 0.02);
+  EXPECT_EQ(r.end.ending, Ending::diverged);
+  EXPECT_NE(r.end.reason.find("more than the radius of the smallest disc"), std::string::npos) << r.end.reason;
+}
+
+// One that stands and one that comes at 1 m/s: strands that are parallel, and a single node through a block.
+TEST(Passing, LatticesThatPassThroughEachOtherAreCounted) {
+  for (const bool block : {false, true}) {
+    Scene scene = soft_scene();
+    Lattice stands = block ? lattice({0, 0}, 3, 3, 0.01) : lattice({0, 0}, 2, 1, 0.01);
+    stands.structural = {1e3, 0.1};
+    Lattice comes = block ? lattice({0.0503, 0.0153}, 1, 1, 0.01) : lattice({0.0503, 0}, 2, 1, 0.01);
+    comes.structural = {1e3, 0.1};
+    comes.node = {node_setting(0, 0, {}, {-1, 0})};
+    if (!block) comes.node.push_back(node_setting(1, 0, {}, {-1, 0}));
+    scene.lattice = {stands, comes};
+    const WatchedRun r = watched(scene, "pece", 1e-4, 0.1);
+    EXPECT_EQ(r.of(WatchKind::crossing_lattices).worst, block ? 2 : 4)
+        << "into and out of it; each node through the other";
+    EXPECT_FALSE(r.warnings.empty());
+  }
+}
+
+TEST(Passing, LatticesSideBySideDoNotPass) {
+  Scene scene = soft_scene();
+  Lattice stands = lattice({0, 0}, 3, 3, 0.01), comes = lattice({0.05, 0.03}, 3, 3, 0.01);
+  for (Lattice* l : {&stands, &comes}) l->structural = {1e3, 0.1};
+  for (int node = 0; node < 9; ++node) comes.node.push_back(node_setting(node / 3, node % 3, {}, {-1, 0}));
+  scene.lattice = {stands, comes};
+  const WatchedRun r = watched(scene, "pece", 1e-4, 0.1);
+  EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).worst, 0);
+}
+
+}  // namespace
+}  // namespace furrow::test
