@@ -64,6 +64,15 @@ class Deviations {
           "falls spinning runs off .105 slower (furrow judge, case spinning_impact), the push on a plate through a bed "
           "is 1 "
           "to 2 % another");
+    if (some_law([](const ContactLaw& law) {
+          const bool damped = law.viscosity > 0 || law.options.dashpot > 0;
+          return law.friction > 0 && damped && law.options.force == ForceLaw::rescaled_mindlin;
+        }))
+      add("model.law", another_law,
+          "LAMMPS rescales the whole tangential force, also what only the damper's part of the normal force holds; "
+          "furrow as "
+          "much as the elastic part holds: .007 of the force of a sphere that rebounds with 0.8 from a wall with "
+          "friction 0.3");
     if (parts_.rolling && discs())
       add("model.rolling", another_law,
           "rolling sds, a spring with a limit: slows a disc as furrow does to 7e-4, but swings where it comes to rest "

@@ -37,7 +37,7 @@ TEST_F(Lammps, HasTheseLawsToTheOrderOfTheStep) {
       {"beyond critical damping", "after_slip = \"less_viscous\"", "damping_factor = 20.0, friction = 0.4"},
       {"Tsuji's alpha", "slip_damping = false", "tsuji_alpha = 0.7, friction = 0.1"},
       {"dashpots", "after_slip = \"less_viscous\"", "damping = 20.0, tangential_damping = 7.0, friction = 0.4"},
-      {"rescaled", "slip_damping = false, law = \"rescaled_mindlin\"", "restitution = 0.8, friction = 0.3"},
+      {"rescaled", "slip_damping = false, law = \"rescaled_mindlin\"", "friction = 0.3"},
       {"linear", "after_slip = \"less_viscous\", law = \"linear\"",
        "restitution = 0.5, friction = 0.4, normal_stiffness = 1e5, tangential_stiffness = 3e4"},
       {"leaning wall", "slip_damping = false", "restitution = 0.5, friction = 0.3", "[0.6, 0.8]"},

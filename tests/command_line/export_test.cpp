@@ -38,6 +38,8 @@ class Refusals : public Export {
     return {
         {"model.moment_arm", discs(), "--set contact.friction=0.3"},
         {"model.after_slip", impact("slip_damping = true", "restitution = 0.5, friction = 0.3"), ""},
+        {"model.law", impact("slip_damping = false, law = \"rescaled_mindlin\"", "restitution = 0.8, friction = 0.3"),
+         ""},
         {"model.rolling", impact("slip_damping = false", "rolling_friction = 0.3"), ""},
         {"contact.tangential_damping",
          impact("slip_damping = true", "damping = 0.0, tangential_damping = 3.0, friction = 0.3"),
