@@ -12,6 +12,7 @@
 #include "output/run_checkpoint.h"
 #include "output/series.h"
 #include "output/validity_json.h"
+#include "output/warnings.h"
 #include "run/observe.h"
 #include "run/prepare.h"
 #include "run/stiffness.h"
@@ -130,7 +131,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
   if (prepared->surface) json["surface"] = *prepared->surface;
   std::vector<std::string> warnings;
   if (!saved) {
-    warnings = scene_warnings(asked);
+    warnings = warnings_before(asked);
     warnings.insert(warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
   }
   for (const std::string& warning : warnings) request.warn(warning);

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "methods/method.h"
+#include "output/warnings.h"
 #include "physics/impact.h"
 #include "program/commands.h"
 #include "program/explain_law.h"
@@ -16,7 +17,7 @@
 #include "run/observe.h"
 #include "run/prepare.h"
 #include "run/stiffness.h"
-#include "scene/read.h"
+#include "scene/labels.h"
 #include "system/order.h"
 
 namespace furrow {
@@ -78,14 +79,17 @@ void print_left_out(const Scene& scene, const System& system) {
   if (scene.search.threads > system.threads())
     line("threads", "search.threads = %d is for beds of more than %d discs", scene.search.threads, discs_per_block);
   if (scene.model.gravity == 0) line("gravity", "model.gravity = 0");
-  for (const Lattice& l : scene.lattice) {
-    const std::string name = "lattice " + l.name;
+  const std::vector<std::string> names = labels(scene.lattice);
+  for (std::size_t k = 0; k < scene.lattice.size(); ++k) {
+    const Lattice& l = scene.lattice[k];
+    const std::string name = "lattice " + names[k];
     if (!l.gravity && scene.model.gravity != 0) line(name, "has no weight (gravity = false)");
     if (l.stem) continue;
-    for (const auto& [kind, k] : {std::pair("structural", l.structural), {"shear", l.shear}, {"bending", l.bending}}) {
-      if (k.stiffness == 0 && k.damping == 0)
+    for (const auto& [kind, links] :
+         {std::pair("structural", l.structural), {"shear", l.shear}, {"bending", l.bending}}) {
+      if (links.stiffness == 0 && links.damping == 0)
         line(name, "has no %s links (stiffness and damping 0)", kind);
-      else if (std::isinf(k.strength))
+      else if (std::isinf(links.strength))
         line(name, "its %s links never tear (no strength given)", kind);
     }
   }
@@ -151,7 +155,9 @@ void print_start(const Prepared& prepared) {
   std::printf("\nwhere it stands at t = 0\n");
   if (prepared.surface) {
     line("settled", "after %.3g s; surface at %.4g m", prepared.settling_time, *prepared.surface);
-    for (const Plate& p : prepared.scene.plate) line("plate " + p.name, "lower edge at %.4g m", *p.lower_edge);
+    const std::vector<std::string> names = labels(prepared.scene.plate);
+    for (std::size_t k = 0; k < names.size(); ++k)
+      line("plate " + names[k], "lower edge at %.4g m", *prepared.scene.plate[k].lower_edge);
   }
   line("contacts", "%d", seen.contacts);
   if (seen.contacts > 0) {
@@ -189,7 +195,7 @@ int explain_command(const RunOptions& options) {
   Progress progress;
   std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
   const System system = unsettled(scene);
-  for (const std::string& text : scene_warnings(scene)) std::printf("warning: %s\n", text.c_str());
+  for (const std::string& text : warnings_before(scene)) std::printf("warning: %s\n", text.c_str());
   print_modelled(scene, system);
   print_left_out(scene, system);
   print_stems(scene);

@@ -7,6 +7,8 @@
 #include "program/explain_line.h"
 #include "run/observe.h"
 #include "run/stiffness.h"
+#include "scene/gaps.h"
+#include "scene/labels.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -57,11 +59,17 @@ void print_borders(const Scene& scene, const Parts& parts) {
        parts.new_faces ? " as long as no link around them tears"
                        : "; a link that tears opens the border, and no new border is found (model.new_faces)");
   const double least = *std::min_element(parts.disc.radius.begin(), parts.disc.radius.end());
-  for (const Lattice& l : scene.lattice) {
+  const std::vector<std::string> names = labels(scene.lattice);
+  for (std::size_t k = 0; k < scene.lattice.size(); ++k) {
+    const Lattice& l = scene.lattice[k];
     if (l.auxiliary_points == 0) continue;
-    const double half = l.spacing / (l.auxiliary_points + 1) / 2;
-    line("border of " + l.name,
-         "%d points on each segment: %.3g m rough, the normal up to %.2g degrees off for a disc of %g m",
+    const std::string name = "border of " + (l.name.empty() ? "lattice " : std::string()) + names[k];
+    if (const std::string through = way_through(l, least); !through.empty()) {
+      line(name, "%d points on each segment: %s", l.auxiliary_points, through.c_str());
+      continue;
+    }
+    const double half = half_gap(l);
+    line(name, "%d points on each segment: %.3g m rough, the normal up to %.2g degrees off for a disc of %g m",
          l.auxiliary_points, least - std::sqrt(least * least - half * half), std::asin(half / least) * 180 / pi, least);
     line("", "a disc that rolls or slides along loses energy to that; auxiliary_points = 0 is smooth");
   }

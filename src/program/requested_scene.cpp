@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "methods/method.h"
+#include "output/warnings.h"
 #include "program/commands.h"
+#include "program/resolved_moves.h"
 #include "run/prepare.h"
 #include "scene/packing.h"
 #include "scene/read.h"
@@ -105,6 +107,12 @@ void judge_frames(SceneFile& file) {
   }
 }
 
+// A method that controls its step finds one that moves something.
+void judge_moves(SceneFile& file) {
+  if (make_method(file.scene.time.method)->info().controlled) return;
+  if (const auto [key, why] = unresolved_move(file.scene); !key.empty()) file.fault(key, why);
+}
+
 // The others carry every scene.
 void judge_fitness(SceneFile& file) {
   const MethodInfo method = make_method(file.scene.time.method)->info();
@@ -127,6 +135,7 @@ SceneFile changed_file(const RunOptions& options) {
   file.judge();
   file.throw_if_wrong();
   judge_frames(file);
+  judge_moves(file);
   file.throw_if_wrong();
   return file;
 }
@@ -141,7 +150,7 @@ Scene requested_scene(const RunOptions& options) {
 
 std::vector<std::string> checked_warnings(const std::string& scene) {
   SceneFile file = changed_file({.scene = scene});
-  std::vector<std::string> warnings = scene_warnings(file.scene);
+  std::vector<std::string> warnings = warnings_before(file.scene);
   try {
     if (!place_packings(file.scene, most_attempts_of_a_check))
       warnings.emplace_back("packing: whether its discs find room was not tried to the end");

@@ -38,11 +38,6 @@ bool any_contact(const Scene& s, const Has& has) {
   return has(s.contact) || std::any_of(s.contact.pair.begin(), s.contact.pair.end(), has);
 }
 
-bool may_tear(const Lattice& l) {
-  const std::vector<LatticeLink> links = links_of(l);
-  return std::any_of(links.begin(), links.end(), [](const LatticeLink& k) { return k.torn || k.strength < infinity; });
-}
-
 // Options of [model] for which the scene has no use.
 void judge_options(const Scene& s, bool rolls, Findings& found) {
   const Model& m = s.model;

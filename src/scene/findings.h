@@ -62,6 +62,7 @@ class Findings {
   }
 
   bool known(const std::string& path) const { return !unread_.touches(path); }
+  bool all_known() const { return unread_.empty(); }
   bool any_error() const {
     return std::any_of(list_.begin(), list_.end(), [](const Finding& f) { return !f.warning; });
   }
@@ -87,6 +88,10 @@ void judge_sizes(const Scene& scene, Findings& found);     // counts and bytes w
 void judge_numbers(const Scene& scene, Findings& found);   // what is derived from the numbers is finite and positive
 void judge_start(const Scene& scene, Findings& found);     // where the parts stand at t = 0
 void judge_effects(const Scene& scene, Findings& found);   // what is given and changes nothing
+void judge_idle(const Scene& scene, Findings& found);      // the same of keys for parts that the scene has not
+void judge_gaps(const Scene& scene, Findings& found);      // what passes between the points of a lattice's border
+
+bool may_tear(const Lattice& l);  // a link of it has a strength, or is torn from the start
 
 // All of them, one after the other.
 std::vector<Finding> findings_of(const Scene& scene, const Unread& unread = {});

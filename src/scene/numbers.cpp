@@ -1,6 +1,8 @@
 // What is derived from a scene's numbers must be finite, positive and resolved: squares and quotients of numbers that
 // are sound by themselves may over- and underflow.
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
@@ -48,6 +50,12 @@ class NumberJudge {
 
   // The path is made only where something is wrong.
   std::string at(const char* key) const { return item(list_, index_) + (*key ? "." : "") + key; }
+
+  // Of keys out of their own ranges that is said, not what would follow from them.
+  bool known(std::initializer_list<const char*> keys) const {
+    return found_.all_known() ||
+           std::all_of(keys.begin(), keys.end(), [&](const char* key) { return found_.known(at(key)); });
+  }
 
   void positive(const char* key, const char* what, double derived) {
     if (!sound(derived)) found_.error(at(key), wrong(what, derived));
@@ -124,6 +132,7 @@ class NumberJudge {
     const auto found = material_.find(material);
     if (found == material_.end()) return;
     const Material& m = *found->second;
+    if (!known({key}) || !known_density(m) || !found_.known("model.disc_depth")) return;
     const bool flat = scene_.model.disc_mass == DiscMass::disc;
     const double volume = flat ? disc_volume(radius, scene_.model.disc_depth) : sphere_volume(radius);
     const double mass = m.density * volume;
@@ -139,20 +148,28 @@ class NumberJudge {
     if (sound(modulus)) positive(key, "E* R^2 [N]", modulus * radius * radius);
   }
 
+  bool known_density(const Material& m) const {
+    return found_.all_known() ||
+           found_.known(item("material", static_cast<std::size_t>(&m - scene_.material.data())) + ".density");
+  }
+
   void judge(const Disc& d) {
     judge_disc("radius", d.radius, d.material, d.velocity.x * d.velocity.x + d.velocity.y * d.velocity.y, d.spin);
-    resolved("position", d.position, d.radius);
+    if (known({"radius"})) resolved("position", d.position, d.radius);
   }
 
   void judge(const Packing& p) {
     judge_disc("radius_min", p.radius_min, p.material, 0, 0);
     if (p.radius_max != p.radius_min) judge_disc("radius_max", p.radius_max, p.material, 0, 0);
+    if (!known({"radius_min"})) return;
     resolved("lower_left", p.lower_left, p.radius_min);
     resolved("upper_right", p.upper_right, p.radius_min);
   }
 
   // Of the walls only what lies far off along its own normal would lose the discs in front of it.
   void judge(const Wall& w) {
+    for (const char* list : {"disc", "packing", "lattice"})
+      if (!found_.known(list)) return;
     double least = infinity;
     for (const Disc& d : scene_.disc) least = std::fmin(least, d.radius);
     for (const Packing& p : scene_.packing) least = std::fmin(least, p.radius_min);
@@ -161,6 +178,7 @@ class NumberJudge {
   }
 
   void judge(const Plate& p) {
+    if (!known({"width", "height"})) return;
     const double end = scene_.time.end, side = std::fmin(p.width, p.height);
     resolved("left_edge", {p.left_edge, p.lower_edge.value_or(0)}, side);
     resolved("width", {p.width, p.height}, side);
@@ -168,6 +186,7 @@ class NumberJudge {
   }
 
   void judge(const Lattice& l) {
+    if (!known({"spacing", "node_mass", "rows", "columns", "stem"})) return;
     resolved("origin", l.origin, l.spacing);
     resolved("spacing", {l.spacing * l.columns, l.spacing * l.rows}, l.spacing);
     positive("spacing", "its square [m^2]", l.spacing * l.spacing);

@@ -19,6 +19,7 @@
 #include "scene/findings.h"
 #include "scene/grid.h"
 #include "scene/lattice_parts.h"
+#include "scene/one_surface.h"
 #include "scene/paths.h"
 #include "scene/unit_vector.h"
 #include "scene/wording.h"
@@ -220,7 +221,7 @@ class StartJudge {
         on += std::fabs(distance) <= size;
       }
       if (behind > 0) found_.warning(path, "reaches behind " + item("wall", j) + ": they do not feel each other");
-      if (on == 2)
+      if (on == 2 && !are_one_surface(scene_, p, normal_[j]))
         found_.warning(path,
                        "shares a surface with " + item("wall", j) + ": what lies on their common edge feels both");
     }
@@ -243,7 +244,7 @@ class StartJudge {
       found_.error(path, "in the place of " + other + ": what touches one touches both");
     else if (across > size && up > size)
       found_.warning(path, "overlaps " + other + ": what touches both feels both");
-    else if ((across > size && up >= -size) || (up > size && across >= -size))
+    else if (((across > size && up >= -size) || (up > size && across >= -size)) && !are_one_surface(scene_, a, b))
       found_.warning(path, "shares a surface with " + other + ": what lies on their common edge feels both");
   }
 

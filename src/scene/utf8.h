@@ -29,6 +29,15 @@ inline CodePoint first_code_point(std::string_view text) {
   return value < least || value > 0x10FFFF || surrogate ? CodePoint{} : CodePoint{value, bytes};
 }
 
+inline bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const CodePoint c = first_code_point(text);
+    if (c.bytes == 0) return false;
+    text.remove_prefix(c.bytes);
+  }
+  return true;
+}
+
 // What has no shape of its own or turns the line it stands in: controls, separators of lines, marks of direction, the
 // byte order mark and what is no character at all.
 inline bool is_control(std::uint32_t c) {

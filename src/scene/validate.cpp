@@ -224,6 +224,8 @@ std::vector<Finding> findings_of(const Scene& given, const Unread& unread) {
   judge_numbers(scene, found);
   judge_start(scene, found);
   judge_effects(scene, found);
+  judge_idle(scene, found);
+  judge_gaps(scene, found);
   return found.list();
 }
 

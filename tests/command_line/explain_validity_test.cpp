@@ -97,6 +97,21 @@ TEST_F(ExplainValidity, SpeedsOfPassingAreThoseOfTheWork) {
     expect_speeds(pair, elastic, elastic / peak);
 }
 
+TEST_F(ExplainValidity, SaysThatSmallDiscsPassBetweenThePoints) {
+  const auto with = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  put("s.toml", with(with(scene_text, "radius = 0.02", "radius = 0.003"), "name = \"stem\"\n", ""));
+  ASSERT_EQ(furrow("explain s.toml").code, 0) << err();
+  EXPECT_EQ(out().find("nan"), std::string::npos) << out();
+  EXPECT_NE(line_of("border of lattice 0").find("discs of radius 0.003 m pass between"), std::string::npos) << out();
+  EXPECT_EQ(furrow("check s.toml").code, 0);
+  EXPECT_NE(err().find("lattice[0].auxiliary_points: discs of radius 0.003 m pass between the points of its border, "
+                       "which are 0.008 m apart: take at least 6 points, or 0, the whole border"),
+            std::string::npos)
+      << err();
+}
+
 // Four points on a segment of 40 mm are 8 mm apart: the nearest lies up to 4 mm beside the foot of the perpendicular.
 TEST_F(ExplainValidity, TheCostOfAuxiliaryPointsIsTheirRoughness) {
   put("s.toml", scene_text);
