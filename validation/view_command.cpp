@@ -64,7 +64,7 @@ int view_command(const ViewOptions& options) {
   if (options.out.empty())
     write_own(directory, run.fact("ended")->texts.front(), page);
   else
-    write(OutputFile(place), page);
+    write(OutputFile::at_once(place), page);
   std::cout << place.string() << "\n";
   return good;
 }

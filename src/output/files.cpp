@@ -25,17 +25,19 @@ std::atomic<int> being_written = 0;
   throw FileError(what + file.string() + ": " + std::strerror(error));
 }
 
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw FileError("cannot write " + file.string() + ": " + why);
+}
+
 fs::path partial_of(const fs::path& file) { return file.string() + ".partial"; }
 
 // O_EXCL: neither a file that is there nor a link is followed or overwritten.
 int made(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+  if (descriptor < 0 && errno == EEXIST)
+    refuse(file, "it is there already; if no program is writing it, move it away or remove it");
   if (descriptor < 0) fail("cannot write ", file, errno);
   return descriptor;
-}
-
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-  throw FileError("cannot write " + file.string() + ": " + why);
 }
 
 fs::file_type type_of(const fs::path& file) {
@@ -43,8 +45,12 @@ fs::file_type type_of(const fs::path& file) {
   return fs::symlink_status(file, failed).type();
 }
 
-int made_for(const fs::path& file) {
+void refuse_to_replace(const fs::path& file) {
   if (type_of(file) != fs::file_type::not_found) refuse(file, "it is there already");
+}
+
+int made_for(const fs::path& file) {
+  refuse_to_replace(file);
   return made(partial_of(file));
 }
 
@@ -122,19 +128,26 @@ std::string csv_cell(std::string_view text) {
 
 int files_being_written() { return being_written; }
 
-OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, bool replaces, std::uint64_t bytes, Fnv1a hash)
+OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, Ending ending, std::uint64_t bytes, Fnv1a hash)
     : file_(std::move(file)),
       partial_(std::move(partial)),
       written_(bytes),
       hash_(hash),
       descriptor_(descriptor),
-      replaces_(replaces) {
+      ending_(ending) {
   ++being_written;
 }
 
 OutputFile::OutputFile(const fs::path& file, std::string_view headings)
-    : OutputFile(file, partial_of(file), made_for(file), false) {
+    : OutputFile(file, partial_of(file), made_for(file), Ending::is_new) {
   if (!headings.empty()) *this << headings << "\n";
+}
+
+OutputFile OutputFile::at_once(const fs::path& file) {
+  refuse_to_replace(file);
+  std::string partial = file.string() + ".partial-XXXXXX";
+  const int descriptor = made_beside(partial);
+  return {file, partial, descriptor, Ending::is_new_or_nothing};
 }
 
 OutputFile OutputFile::replacing(const fs::path& file) {
@@ -143,13 +156,13 @@ OutputFile OutputFile::replacing(const fs::path& file) {
     refuse(file, there == fs::file_type::directory ? "it is a directory" : "it is no regular file");
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = made_beside(partial);
-  return {file, partial, descriptor, true};
+  return {file, partial, descriptor, Ending::replaces};
 }
 
 OutputFile OutputFile::rewriting(const fs::path& file) {
   const fs::path partial = partial_of(file);
   if (is_regular(partial)) unlink(partial.c_str());
-  return {file, partial, made(partial), true};
+  return {file, partial, made(partial), Ending::replaces};
 }
 
 void OutputFile::require(const fs::path& file, const FileMark& mark) {
@@ -163,14 +176,19 @@ OutputFile OutputFile::reopened(const fs::path& file, const FileMark& mark) {
   if (!is_regular(partial) && is_regular(file)) fs::rename(file, partial);
   Fnv1a hash;
   const int descriptor = reopened_at(partial, mark, hash);
-  return {file, partial, descriptor, false, mark.bytes, hash};
+  return {file, partial, descriptor, Ending::is_new, mark.bytes, hash};
 }
 
 OutputFile::~OutputFile() {
   if (descriptor_ < 0) return;
   ::close(descriptor_);
   --being_written;
-  if (replaces_) unlink(partial_.c_str());
+  drop();
+}
+
+// What has failed, unless it is a series, whose beginning is worth something.
+void OutputFile::drop() {
+  if (ending_ != Ending::is_new) unlink(partial_.c_str());
 }
 
 OutputFile& OutputFile::operator<<(std::string_view text) {
@@ -198,16 +216,17 @@ void OutputFile::close() {
   const int error = errno;
   --being_written;
   if (result == 0) return;
-  if (replaces_) unlink(partial_.c_str());
+  drop();
   fail("could not write all of ", partial_, error);
 }
 
 void OutputFile::finish() {
   close();
-  const bool renamed = replaces_ ? rename(partial_.c_str(), file_.c_str()) == 0 : renamed_to_free_name(partial_, file_);
+  const bool renamed = ending_ == Ending::replaces ? rename(partial_.c_str(), file_.c_str()) == 0
+                                                   : renamed_to_free_name(partial_, file_);
   if (renamed) return;
   const int error = errno;
-  if (replaces_) unlink(partial_.c_str());
+  drop();
   fail("cannot rename " + partial_.string() + " to ", file_, error);
 }
 

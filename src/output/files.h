@@ -40,6 +40,10 @@ class OutputFile {
   // stand where finish() puts the file: neither now nor then.
   explicit OutputFile(const std::filesystem::path& file, std::string_view headings = {});
 
+  // Has a name of its own until it is finished, so that nothing of an earlier one is in its way; nothing is left of one
+  // that fails. Nothing may stand where finish() puts it: neither now nor then.
+  static OutputFile at_once(const std::filesystem::path& file);
+
   // Takes the place of a regular file when it is finished; until then it has a name of its own. Nothing else is replaced.
   static OutputFile replacing(const std::filesystem::path& file);
 
@@ -91,18 +95,20 @@ class OutputFile {
   void finish();
 
  private:
-  OutputFile(std::filesystem::path file, std::filesystem::path partial, int descriptor, bool replaces,
+  enum class Ending { replaces, is_new, is_new_or_nothing };
+  OutputFile(std::filesystem::path file, std::filesystem::path partial, int descriptor, Ending ending,
              std::uint64_t bytes = 0, Fnv1a hash = {});
   void cell(std::string_view text) { *this << csv_cell(text); }
   void cell(double value) { *this << value; }
   void cell(int value) { *this << value; }
+  void drop();
 
   std::filesystem::path file_, partial_;
   std::string buffer_;
   std::uint64_t written_ = 0;
   Fnv1a hash_;
   int descriptor_;
-  bool replaces_;
+  Ending ending_;
 };
 
 // The whole text at once, in place of what stood there.

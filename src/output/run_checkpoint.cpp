@@ -34,16 +34,28 @@ Identity identity_of(Scene scene, double t) {
   return {program_here(), canonical_text(scene), t};
 }
 
+// The next line that says something; a table goes with its first key.
+std::string next_said(std::istream& text) {
+  std::string line, key;
+  while (std::getline(text, line) && line.empty()) {
+  }
+  if (!text) return "nothing more";
+  const auto after = text.tellg();
+  if (line.starts_with("[") && std::getline(text, key) && !key.empty()) line += " " + key;
+  text.clear();
+  text.seekg(after);
+  return line;
+}
+
 // "[time] step = 1e-4", of the first line that is in one text only; both texts have their keys in the same order.
 std::string first_difference(const std::string& there, const std::string& here) {
   std::istringstream one(there), other(here);
-  std::string table, a, b;
+  std::string table;
   while (true) {
-    const bool more = static_cast<bool>(std::getline(one, a)), others = static_cast<bool>(std::getline(other, b));
-    if (!more) a = "nothing more";
-    if (!others) b = "nothing more";
-    if (a != b || !more) return table + (table.empty() ? "" : " ") + a + "', here '" + b;
-    if (a.starts_with("[")) table = a;
+    const std::string a = next_said(one), b = next_said(other);
+    const bool of_table = !a.starts_with("[") && !b.starts_with("[") && !table.empty();
+    if (a != b || one.eof()) return (of_table ? table + " " : "") + a + "', here '" + b;
+    if (a.starts_with("[")) table = a.substr(0, a.find(' '));
   }
 }
 

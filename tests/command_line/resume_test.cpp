@@ -181,6 +181,7 @@ TEST_F(RefusedResume, OfAnotherSceneMethodOrStep) {
                  "there '[time] method = \"pece\"', here 'method = \"rk4\"'");
   expect_refused("lattice.toml --until 0.1 --dt 5e-5 --resume here", 2, "step = ");
   expect_refused("lattice.toml --until 0.1 --locate tears --resume here", 2, "locate = ");
+  expect_refused("lattice.toml --until 0.1 --set allow.overlap=0.9 --resume here", 2, "here '[allow] overlap = 0.9'");
 }
 
 TEST_F(RefusedResume, WhereThereIsNothingToGoOnFrom) {

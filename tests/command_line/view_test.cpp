@@ -62,6 +62,21 @@ TEST_F(View, ANumberThatIsNotFiniteIsNoFilm) {
   EXPECT_NE(err().find("plate_force.csv has a number that is not finite"), std::string::npos) << err();
 }
 
+TEST_F(View, APageThatDidNotFitLeavesNothingInTheWayOfTheNext) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.02 --frames 3 --out here").code, 0) << err();
+  EXPECT_EQ(furrow("view here --out page.html", "ulimit -f 8;").code, 4);
+  EXPECT_NE(err().find("File too large"), std::string::npos) << err();
+  for (const std::string& name : files(".")) EXPECT_FALSE(name.starts_with("page.html")) << name;
+  EXPECT_EQ(furrow("view here --out page.html").code, 0) << err();
+}
+
+TEST_F(View, OfAFileThatIsNoRunSaysWhichFile) {
+  ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 0.02 --frames 3 --out here").code, 0) << err();
+  put("here/run.json", "");
+  EXPECT_EQ(furrow("view here").code, 4);
+  EXPECT_NE(err().find("here/run.json: is empty: it is not what a run wrote"), std::string::npos) << err();
+}
+
 TEST_F(View, OfNoRunIsAnErrorOfInput) {
   EXPECT_EQ(furrow("view nowhere").code, 4);
   EXPECT_NE(err().find("nowhere: no such directory"), std::string::npos) << err();

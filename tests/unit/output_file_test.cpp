@@ -95,6 +95,23 @@ TEST_F(OutputFiles, OfAFullDiskNothingIsLeftInPlaceOfTheOld) {
   EXPECT_EQ(std::distance(fs::directory_iterator(directory_), {}), 1);
 }
 
+TEST_F(OutputFiles, OneThatAppearsAtOnceLeavesNothingWhenItFailsAndNothingIsInItsWay) {
+  {
+    const SmallDisk disk(10);
+    OutputFile file = OutputFile::at_once(directory_ / "page.html");
+    file << "more than ten bytes";
+    EXPECT_THROW(file.finish(), FileError);
+  }
+  EXPECT_TRUE(fs::is_empty(directory_));
+  put("page.html.partial", "mine");
+  OutputFile file = OutputFile::at_once(directory_ / "page.html");
+  file << "whole";
+  file.finish();
+  EXPECT_EQ(text_of(directory_ / "page.html"), "whole");
+  EXPECT_EQ(text_of(directory_ / "page.html.partial"), "mine");
+  EXPECT_THROW(OutputFile::at_once(directory_ / "page.html"), FileError);
+}
+
 TEST_F(OutputFiles, GoesOnWhereItWas) {
   FileMark there;
   {
