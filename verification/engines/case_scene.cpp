@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "verification/engines/case_fields.h"
 #include "verification/engines/furrow_engine.h"
 
 namespace furrow::verification {
@@ -96,9 +97,11 @@ bool mixed(const Json& c) {
 }  // namespace
 
 std::string lacking(const Json& c) {
+  require_needs(c);
   for (const std::string need : c["needs"]) {
     if (!abilities.contains(need)) return need;
   }
+  require_fields(c);
   if (c["gravity"][0] != 0.0) return "gravity that is not along -y";
   return mixed(c) ? "discs and spheres together" : "";
 }

@@ -8,7 +8,8 @@
 
 namespace furrow::verification {
 
-// What furrow cannot do of a case; empty if it can do all.
+// What furrow cannot do of a case; empty if it can do all. Throws std::invalid_argument if a key of it is not as the
+// protocol says.
 std::string lacking(const Json& c);
 
 // The case as a scene; of one that furrow can do.
