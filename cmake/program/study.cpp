@@ -1,6 +1,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 #include <thread>
 
 #include "output/build_info.h"
@@ -144,6 +145,7 @@ int study_command(const StudyOptions& options) {
   if (options.check) return check_command(options);
   if (options.words) return words_command(options);
   if (options.name.empty()) {
+    if (options.quick || options.anew) throw std::invalid_argument("--quick and --anew need the name of a study");
     for (const Study& study : validation::catalogue())
       std::printf("%-16s %s\n", study.name.c_str(), study.what.c_str());
     return good;
@@ -203,7 +205,7 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
       ->type_name("DIR");
   golden->add_flag("--quick", asked.quick, "scene 1 whole, the others for 0.1 s");
   golden->add_flag("--remake", asked.remake, "write those that differ again");
-  golden->add_option("--reason", asked.reason, "why they are made again")->type_name("TEXT");
+  golden->add_option("--reason", asked.reason, "why they are made again")->type_name("TEXT")->needs("--remake");
 
   all.push_back({study, [] { return study_command(studied); }});
   for (const CLI::App* named : {ensemble, statements}) {

@@ -87,6 +87,9 @@ int export_command(const ExportOptions& options) {
 }
 
 int compare_command(const ExportOptions& options) {
+  std::error_code unreachable;
+  if (!fs::is_directory(options.compare, unreachable))
+    throw FileError(options.compare + ": no such directory; furrow export --out makes one");
   const Compared compared = compare_with_engine(options.compare, options.early);
   std::printf("%s", compared.text.c_str());
   replace_file(fs::path(options.compare) / "compared.json", compared.json.dump(1) + "\n");

@@ -1,6 +1,7 @@
 #include "program/program.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -38,6 +39,8 @@ int parse_and_run(int argc, char** argv, const std::vector<AddCommands>& parts) 
     std::cerr << app.help();
     return bad_input;
   }
+  if (const std::string fault = unreadable(argc, argv); !fault.empty())
+    return fail("furrow: error: " + fault, bad_input);
   if (const std::string fault = misspelt(app, argc, argv); !fault.empty())
     return fail("furrow: error: " + fault, bad_input);
   try {
@@ -68,6 +71,9 @@ int code_of(const std::function<int()>& work) {
     return fail(std::string("furrow: ") + request.what(), interrupted);
   } catch (const Divergence& fault) {
     return fail(error + fault.what(), diverged);
+  } catch (const std::filesystem::filesystem_error& fault) {
+    const std::string place = fault.path1().string();
+    return fail(error + "cannot use " + (place.empty() ? "a file" : place) + ": " + fault.code().message(), io_failed);
   } catch (const std::exception& fault) {
     return fail(error + fault.what(), io_failed);
   }

@@ -65,7 +65,8 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
 
 int run_command(const RunOptions& options) {
   const fs::path directory = directory_of(options);
-  const bool replaces = options.resume.empty() && fs::exists(directory / "run.json");
+  std::error_code unreachable;  // said when the directory is made
+  const bool replaces = options.resume.empty() && fs::exists(directory / "run.json", unreachable);
   Progress progress;
   const RunOutcome outcome = run_one(options, progress);
   progress.end();

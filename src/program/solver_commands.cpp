@@ -95,10 +95,11 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
       ->type_name("KEY")
       ->expected(1)
       ->take_all();
-  deck->add_option("--compare", exported.compare, "directory of a deck that has run: compare, and write compared.json")
-      ->type_name("DIR")
-      ->excludes("--out")
-      ->excludes("scene");
+  auto* compare = deck->add_option("--compare", exported.compare,
+                                   "directory of a deck that has run: compare, and write compared.json")
+                      ->type_name("DIR");
+  for (const char* of_decks : {"scene", "--out", "--to", "--until", "--dt", "--method", "--set", "--allow"})
+    compare->excludes(of_decks);
   deck->add_option("--early", exported.early, "how long forces are compared row by row (default: 0.05)")
       ->type_name("SECONDS")
       ->check(moment())

@@ -62,6 +62,14 @@ bool reads(const std::string& text, Number& number) {
 
 }  // namespace
 
+std::string unreadable(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (!is_utf8(argv[i]))
+      return shown(argv[i]) + " is not UTF-8, as the names of files that a result tells of must be; rename the file";
+  }
+  return {};
+}
+
 std::string misspelt(const CLI::App& app, int argc, char** argv) {
   const CLI::App* command = nullptr;
   for (int i = 1; i < argc; ++i) {

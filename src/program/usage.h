@@ -6,6 +6,9 @@
 
 namespace furrow {
 
+// The first word that is not UTF-8; empty if all are. Names of files stand in JSON, which is nothing else.
+std::string unreadable(int argc, char** argv);
+
 // The first word that is no command, or the first option that its command does not have, and the nearest that there is;
 // empty if all are known.
 std::string misspelt(const CLI::App& app, int argc, char** argv);

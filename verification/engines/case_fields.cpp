@@ -25,6 +25,8 @@ std::string shown(const Json& value) {
   return text.size() > most ? text.substr(0, most) + "..." : text;
 }
 
+std::string digits(double whole) { return std::to_string(static_cast<long>(whole)); }
+
 bool is_finite(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
 
 bool is_whole(const Json& value, double most) {
@@ -68,13 +70,13 @@ class Fields {
   double whole(const char* key, double least, double most) const {
     const Json& value = given(key);
     if (!is_whole(value, most) || value.get<double>() < least)
-      refuse(at(key), "must be an integer from " + shortest(least) + " to " + shortest(most) + ", not " + shown(value));
+      refuse(at(key), "must be an integer from " + digits(least) + " to " + digits(most) + ", not " + shown(value));
     return value;
   }
   void wholes(const char* key, double most) const {
     for (std::size_t k = 0; k < list(key).size(); ++k)
       if (!is_whole(list(key)[k], most))
-        refuse(item(at(key), k), "must be an integer from 0 to " + shortest(most) + ", not " + shown(list(key)[k]));
+        refuse(item(at(key), k), "must be an integer from 0 to " + digits(most) + ", not " + shown(list(key)[k]));
   }
   const Json& list(const char* key) const {
     if (!given(key).is_array()) refuse(at(key), "must be a list, not " + shown(given(key)));
@@ -221,7 +223,7 @@ void require_fields(const Json& c) {
   whole.each("plate", [&](const Fields& f) { check_plate(f, parts); });
   whole.each("lattice", [&](const Fields& f) { check_lattice(f, parts); });
   if (parts.nodes != static_cast<double>(parts.point.size()))
-    refuse("case.lattice", "has " + shortest(parts.nodes) + " nodes, but case.body has " +
+    refuse("case.lattice", "has " + digits(parts.nodes) + " nodes, but case.body has " +
                                std::to_string(parts.point.size()) + " point masses");
   whole.each("spring", [&](const Fields& f) {
     for (const char* end : {"a", "b"}) f.name(end, parts.point);

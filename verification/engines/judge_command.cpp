@@ -161,7 +161,8 @@ void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
           ->excludes(json);
   cases->add_flag("--protocol", cases_options.protocol, "how an engine is asked and how it answers")
       ->excludes(json)
-      ->excludes(request);
+      ->excludes(request)
+      ->excludes("patterns");
 
   auto* judge = app.add_subcommand("judge", "give the cases to an engine, and judge its answers");
   judge
