@@ -57,9 +57,10 @@ void add_calibrate_command(CLI::App& app, std::vector<Command>& all) {
   auto* named = app.add_subcommand("calibrate", "find the settings of scenes that come closest to what was measured");
   named->add_option("scenes", options.scenes, "scene files, calibrated together")->required()->type_name("");
   named
-      ->add_option("--vary", options.vary,
-                   "what varies, as KEY=low:high, KEY=low:high:log or KEY=a,b,c; keys with commas between them share a "
-                   "value, SCENE:KEY is of one scene")
+      ->add_option(
+          "--vary", options.vary,
+          "what varies, as KEY=low:high, KEY=low:high:log or KEY=a,b,c; of a key that is an integer a range is "
+          "its integers; keys with commas between them share a value, SCENE:KEY is of one scene")
       ->required()
       ->type_name("KEY=VALUES")
       ->expected(1)

@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <random>
+#include <set>
 
 #include "scene/read.h"
 #include "tests/files.h"
@@ -78,6 +80,15 @@ struct Place {
 
 constexpr const char* curve_targets = "[[target]]\ncurve = \"curve.csv\"\ntolerance = 0.05\n";
 const std::string structural = "lattice[0].structural.stiffness", shear = "lattice[0].shear.stiffness";
+
+std::string error_of(const std::function<void()>& what) {
+  try {
+    what();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
 
 double number(const std::string& text) { return std::stod(text); }
 
@@ -180,6 +191,19 @@ TEST(Calibration, TriesEveryCombinationOfListedValues) {
   EXPECT_EQ(found.identified.effects.size(), 3U) << "the other damper, two other stiffnesses";
 }
 
+TEST(Calibration, OfAKeyThatIsAnIntegerTriesTheIntegersOfItsRange) {
+  const Place place;
+  write(place.at("targets.toml"), statement);
+  const Calibration found = calibrate(place.request({"lattice[0].rows=3:5", structural + "=1e3,4e3"}));
+  std::set<std::string> tried;
+  for (const Candidate& c : found.best) tried.insert(c.searched.setting[0]);
+  for (const std::string& rows : tried) EXPECT_TRUE(rows == "3" || rows == "4" || rows == "5") << rows;
+  EXPECT_GT(tried.size(), 1U) << "the key was set";
+  for (const Known& known : found.identified.known) EXPECT_TRUE(known.low.empty() || known.low != known.high);
+  EXPECT_NE(error_of([&] { calibrate(place.request({"lattice[0].rows=2.5:5"})); }).find("must be an integer"),
+            std::string::npos);
+}
+
 TEST(Calibration, LeavesASceneFileThatRuns) {
   const Place place;
   write(place.at("targets.toml"), statement);
@@ -202,15 +226,6 @@ TEST(Calibration, OfWhichEveryRunFailsIsAnErrorThatSaysWhy) {
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("every setting failed"), std::string::npos) << error.what();
   }
-}
-
-std::string error_of(const std::function<void()>& what) {
-  try {
-    what();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Calibration, SaysWhatIsWrongWithAKey) {
@@ -254,6 +269,8 @@ TEST(Calibration, SaysWhatIsWrongWithTargets) {
       {"[[target]]\ncurve = \"falls.csv\"\ntolerance = 1.0", "falls.csv:3: the displacement must rise"},
       {"[[target]]\ncurve = \"units.csv\"\ntolerance = 1.0", "units.csv:1: the heading must name"},
       {"[[target]]\ncurve = \"far.csv\"\ntolerance = 1.0", "asks for 100 mm of displacement"},
+      {"[[target]]\nobservable = \"largest_force\"\nvalue = -inf\ntolerance = 1.0", "value must be finite, not -inf"},
+      {"[[target]]\nobservable = \"largest_force\"\nvalue = nan\ntolerance = 1.0", "value must be finite, not nan"},
       {"[[target]]\ncurve = \"none.csv\"\ntolerance = 1.0", "cannot read"}};
   for (const auto& [text, message] : wrong) {
     write(place.at("targets.toml"), text);

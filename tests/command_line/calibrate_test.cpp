@@ -56,4 +56,38 @@ TEST_F(Calibrate, DoesNotWriteIntoWhatIsNotItsOwn) {
   EXPECT_EQ(text("fitted/runs.jsonl"), "notes of mine\n");
 }
 
+TEST_F(Calibrate, RefusesADirectoryThatIsNotItsOwnBeforeAnyRun) {
+  const std::string keys = "--vary 'lattice[0].structural.stiffness=1e3,2e3' ";
+  put("mine/calibration.json", "mine");
+  put("mine/notes.txt");
+  ASSERT_EQ(furrow("run stem.toml --out ran").code, 0) << err();
+  const auto ran = bits("ran");
+  EXPECT_EQ(calibrate(keys + "--out mine"), 4);
+  EXPECT_NE(err().find("mine is not empty and has no marker"), std::string::npos) << err();
+  EXPECT_EQ(text("mine/calibration.json"), "mine");
+  EXPECT_FALSE(has("mine/runs.jsonl"));
+  EXPECT_EQ(calibrate(keys + "--out ran"), 4);
+  EXPECT_NE(err().find("ran belongs to a run of furrow's, not to a calibration"), std::string::npos) << err();
+  EXPECT_EQ(bits("ran"), ran);
+}
+
+TEST_F(Calibrate, GoesOnInItsOwnDirectoryButDoesNotReplaceWhatItReads) {
+  const std::string keys = "--vary 'lattice[0].structural.stiffness=1e3,2e3' ";
+  ASSERT_EQ(calibrate(keys + "--out fitted"), 0) << err();
+  ASSERT_EQ(calibrate(keys + "--out fitted"), 0) << err();
+  EXPECT_NE(out().find(" 0 runs made, 2 replayed"), std::string::npos) << out();
+  const std::string best = text("fitted/best/stem.toml");
+  EXPECT_EQ(furrow("calibrate fitted/best/stem.toml --to to.toml " + keys + "--out fitted").code, 2);
+  EXPECT_NE(err().find("the result would replace fitted/best/stem.toml, which is read"), std::string::npos) << err();
+  EXPECT_EQ(text("fitted/best/stem.toml"), best);
+  put("fitted/mine.txt");
+  EXPECT_EQ(calibrate(keys + "--out fitted"), 0) << err();
+  EXPECT_EQ(text("fitted/mine.txt"), "mine");
+}
+
+TEST_F(Calibrate, SaysWhichDirectoryCannotBeMade) {
+  EXPECT_EQ(calibrate("--vary 'lattice[0].structural.stiffness=1e3,2e3' --out /proc/none"), 4);
+  EXPECT_NE(err().find("cannot make /proc/none: "), std::string::npos) << err();
+}
+
 }  // namespace

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
+#include "output/owned_directory.h"
 #include "scene/read.h"
 #include "scene/wording.h"
 
@@ -23,6 +25,28 @@ std::vector<Case> cases_of(const std::vector<std::filesystem::path>& files) {
     cases.push_back({name, read_scene(file)});
   }
   return cases;
+}
+
+// What is read must not be what is written.
+void refuse_own_input(const CalibrationRequest& request, const std::vector<Case>& cases) {
+  std::vector<std::filesystem::path> read = request.scenes;
+  read.push_back(request.targets);
+  for (const std::string& file : files_of_calibration(cases)) {
+    const std::filesystem::path written = std::filesystem::weakly_canonical(request.directory / file);
+    for (const std::filesystem::path& input : read) {
+      if (std::filesystem::weakly_canonical(input) == written)
+        throw std::invalid_argument("--out " + request.directory.string() + ": the result would replace " +
+                                    input.string() + ", which is read; choose another --out");
+    }
+  }
+}
+
+// Held while the runs are made, which it keeps for a search that begins again.
+std::unique_ptr<OwnedDirectory> own_directory(const CalibrationRequest& request, const std::vector<Case>& cases) {
+  if (request.directory.empty()) return {};
+  refuse_own_input(request, cases);
+  return std::make_unique<OwnedDirectory>(request.directory, "calibration", files_of_calibration(cases),
+                                          OwnedDirectory::Earlier::kept);
 }
 
 bool alike(const std::vector<VariedKey>& keys, const Setting& a, const Setting& b) {
@@ -76,6 +100,7 @@ Calibration calibrate(const CalibrationRequest& request) {
   std::vector<std::string> names;
   for (const Case& of : result.cases) names.push_back(of.name);
   result.targets = read_targets(request.targets, names);
+  const std::unique_ptr<OwnedDirectory> owned = own_directory(request, result.cases);
   double all = 1;
   Runs runs(request.directory, request.plan.jobs,
             [&](long made) { return !request.progress || request.progress(static_cast<double>(made), all); });
@@ -91,6 +116,7 @@ Calibration calibrate(const CalibrationRequest& request) {
   result.identified = identify(evaluator, result.best.front().fresh, fresh);
   result.made = runs.made();
   result.replayed = runs.replayed();
+  if (owned) owned->conclude("searched");
   return result;
 }
 

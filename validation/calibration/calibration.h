@@ -34,13 +34,18 @@ struct Calibration {
   long points = 0, failed = 0, made = 0, replayed = 0;
 };
 
-// Throws what reading scenes, keys and targets throws, Interrupted, std::runtime_error if nothing runs.
+// The names of the files in the directory of a calibration of these scenes. Figures of the page come on top.
+std::vector<std::string> files_of_calibration(const std::vector<Case>& cases);
+
+// Throws what reading scenes, keys and targets throws, std::invalid_argument if one of them is a file that the
+// calibration writes, FileError if the directory is not its own, Interrupted, std::runtime_error if nothing runs.
 Calibration calibrate(const CalibrationRequest& request);
 
 Json json_of(const Calibration& calibration);
 Report report_of(const Calibration& calibration);
 
-// calibration.json, calibration.html and best/SCENE.toml. Throws FileError.
+// calibration.json, calibration.html and best/SCENE.toml, in a directory that is a calibration's own or new: see
+// OwnedDirectory. Throws FileError.
 void write_calibration(const Calibration& calibration, const std::filesystem::path& directory);
 
 }  // namespace furrow::validation

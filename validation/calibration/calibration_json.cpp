@@ -3,6 +3,7 @@
 
 #include "output/build_info.h"
 #include "output/files.h"
+#include "output/owned_directory.h"
 #include "scene/read.h"
 #include "scene/wording.h"
 #include "validation/calibration/calibration.h"
@@ -105,22 +106,32 @@ Json json_of(const Calibration& c) {
   return json;
 }
 
+std::vector<std::string> files_of_calibration(const std::vector<Case>& cases) {
+  std::vector<std::string> files{"runs.jsonl", "calibration.json", "calibration.html"};
+  for (const Case& of : cases) files.push_back("best/" + of.name + ".toml");
+  return files;
+}
+
 void write_calibration(const Calibration& c, const fs::path& directory) {
-  fs::create_directories(directory / "best");
-  for (const Case& of : c.cases)
-    replace_file(directory / "best" / (of.name + ".toml"),
-                 canonical_text(scene_with(of, c.keys, c.best.front().searched.setting, 0)));
   Json json = json_of(c);
   const Json section = report_of(c).json();
   json["section"] = section;
-  replace_file(directory / "calibration.json", json.dump(1) + "\n");
   Page page;
   const std::string html = chapter_html({.name = "calibration", .report = section, .age = {}, .numbers = {}}, "", page);
+  std::vector<std::string> files = files_of_calibration(c.cases);
+  for (const auto& [name, content] : page.files) files.push_back(name);
+  OwnedDirectory owned(directory, "calibration", files, OwnedDirectory::Earlier::kept);
+  owned.keep_only(files);
+  for (const Case& of : c.cases)
+    replace_file(directory / "best" / (of.name + ".toml"),
+                 canonical_text(scene_with(of, c.keys, c.best.front().searched.setting, 0)));
+  replace_file(directory / "calibration.json", json.dump(1) + "\n");
   for (const auto& [name, content] : page.files) replace_file(directory / name, content);
   replace_file(directory / "calibration.html",
                "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                    escaped(c.targets.title) + "</title>\n<style>\n" + page_file("page.css") +
                    "</style>\n</head>\n<body>\n<main>\n<section>\n" + html + "</section>\n</main>\n</body>\n</html>\n");
+  owned.conclude("finished");
 }
 
 }  // namespace furrow::validation

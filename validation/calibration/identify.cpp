@@ -62,12 +62,14 @@ std::vector<Probe> probes_of(const Evaluator& evaluator, const Point& best, cons
   std::vector<Setting> settings;
   for (std::size_t i = 0; i < ranged.size(); ++i) {
     const VariedKey& key = evaluator.keys()[ranged[i]];
-    const double share = key.share_of(best.setting[ranged[i]]);
-    probes[i].below = std::max(0.0, share - reach[static_cast<Eigen::Index>(i)]);
-    probes[i].above = std::min(1.0, share + reach[static_cast<Eigen::Index>(i)]);
-    for (const double at : {probes[i].below, probes[i].above}) {
+    const std::string& value = best.setting[ranged[i]];
+    const double share = key.share_of(value), off = reach[static_cast<Eigen::Index>(i)];
+    const std::string below = key.below(value, off), above = key.above(value, off);
+    probes[i].below = key.whole ? key.share_of(below) : std::max(0.0, share - off);
+    probes[i].above = key.whole ? key.share_of(above) : std::min(1.0, share + off);
+    for (const std::string& at : {below, above}) {
       settings.push_back(best.setting);
-      settings.back()[ranged[i]] = key.at(at);
+      settings.back()[ranged[i]] = at;
     }
   }
   std::vector<Point> points = evaluator.at(settings, packings);
@@ -124,8 +126,9 @@ Known known_of(const VariedKey& key, const std::string& value, double half) {
   Known known{key.name, value, "", ""};
   known.at_edge = share < 1e-3 || share > 1 - 1e-3;
   if (half > 0.5) return known;
-  known.low = key.at(std::max(0.0, share - half));
-  known.high = key.at(std::min(1.0, share + half));
+  known.low = key.below(value, half);
+  known.high = key.above(value, half);
+  if (known.low == known.high) known.low.clear(), known.high.clear();  // no interval has no width
   return known;
 }
 

@@ -90,7 +90,10 @@ class Fields {
   std::optional<std::array<double, 2>> pair(const std::string& key) {
     const Json* found = find(key);
     if (!found) return {};
-    const bool good = found->is_array() && found->size() == 2 && found->at(0).is_number() && found->at(1).is_number();
+    const auto is_number = [&](std::size_t k) {
+      return found->at(k).is_number() && std::isfinite(found->at(k).get<double>());
+    };
+    const bool good = found->is_array() && found->size() == 2 && is_number(0) && is_number(1);
     if (good && found->at(0).get<double>() < found->at(1).get<double>())
       return std::array{found->at(0).get<double>(), found->at(1).get<double>()};
     fault(key + " must be two rising numbers, [from, to], not " + found->dump());
@@ -193,7 +196,10 @@ void read_value(CalibrationTarget& target, Fields& fields) {
     return;
   }
   target.value[0] = fields.number("value", NAN);
-  if (std::isnan(target.value[0])) fields.fault("value is missing");
+  if (!fields.find("value"))
+    fields.fault("value is missing");
+  else if (fields.find("value")->is_number() && !std::isfinite(target.value[0]))
+    fields.fault("value must be finite, not " + shortest(target.value[0]));
 }
 
 void read_observable(CalibrationTarget& target, Fields& fields) {

@@ -91,6 +91,14 @@ std::vector<std::string> extremes(const VariedKey& key) {
   return key.listed() ? key.values : std::vector<std::string>{key.at(0), key.at(1)};
 }
 
+void find_whole(VariedKey& key, const std::vector<Case>& cases) {
+  const std::string first = key.at(0), between = shortest(std::floor(key.low) + 0.5);
+  for (const Case& of : cases) {
+    for (const VariedKey::Path& path : key.paths)
+      key.whole = key.whole || (belongs(path, of, first) && !belongs(path, of, between));
+  }
+}
+
 }  // namespace
 
 VariedKey VariedKey::of(const std::string& text) {
@@ -116,7 +124,19 @@ VariedKey VariedKey::of(const std::string& text) {
 // Eight digits: settings stay readable, and no key of a scene is known better.
 std::string VariedKey::at(double share) const {
   const double between = logarithmic ? low * std::pow(high / low, share) : low + share * (high - low);
-  return rounded(std::clamp(between, low, high), 8);
+  return rounded(std::clamp(whole ? std::round(between) : between, low, high), 8);
+}
+
+std::string VariedKey::below(const std::string& value, double share) const {
+  const double off = share_of(value) - share;
+  if (!whole || off <= 0) return at(std::max(0.0, off));
+  return rounded(std::max(low, std::min(number_in(value, name) - 1, number_in(at(off), name))), 8);
+}
+
+std::string VariedKey::above(const std::string& value, double share) const {
+  const double off = share_of(value) + share;
+  if (!whole || off >= 1) return at(std::min(1.0, off));
+  return rounded(std::min(high, std::max(number_in(value, name) + 1, number_in(at(off), name))), 8);
 }
 
 double VariedKey::share_of(const std::string& value) const {
@@ -128,20 +148,25 @@ Scene scene_with(const Case& of, const std::vector<VariedKey>& keys, const Setti
   Scene scene = of.scene;
   for (std::size_t k = 0; k < keys.size(); ++k) {
     for (const VariedKey::Path& path : keys[k].paths) {
-      if (path.scene.empty() || path.scene == of.name) set_key(scene, path.path, setting[k]);
+      if (!belongs(path, of, extremes(keys[k]).front())) continue;  // it is of other scenes
+      if (const std::string fault = set_key(scene, path.path, setting[k]); !fault.empty())
+        wrong(keys[k].name + "=" + setting[k], of.name + ": " + fault);
     }
   }
   for (Packing& p : scene.packing) p.seed += static_cast<std::uint64_t>(packing);
   return scene;
 }
 
-void judge_keys(const std::vector<VariedKey>& keys, const std::vector<Case>& cases) {
+void judge_keys(std::vector<VariedKey>& keys, const std::vector<Case>& cases) {
   if (keys.empty()) throw std::invalid_argument("--vary: name at least one key, as in --vary contact.friction=0.1:0.9");
   std::set<std::string> names;
   for (const VariedKey& key : keys) {
     for (const VariedKey::Path& path : key.paths) {
       if (!names.insert(path.scene + ":" + path.path).second) wrong(key.name, "is varied twice");
     }
+  }
+  for (VariedKey& key : keys) {
+    if (!key.listed()) find_whole(key, cases);
   }
   const Setting middle = combinations(keys).front();
   for (std::size_t k = 0; k < keys.size(); ++k) {

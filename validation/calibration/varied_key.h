@@ -28,22 +28,29 @@ struct VariedKey {
   std::vector<std::string> values{};  // of a list
   double low = 0, high = 0;           // of a range
   bool logarithmic = false;
+  bool whole = false;  // of a range: its values are integers, those of the key
   bool listed() const { return !values.empty(); }
 
   // The value that lies this share of the way from low to high, as a scene file writes it, and back.
   std::string at(double share) const;
   double share_of(const std::string& value) const;
+
+  // The values about one that lie as far off as that share of the range on each side, as far as the range goes. Of
+  // integers they are others than that one.
+  std::string below(const std::string& value, double share) const;
+  std::string above(const std::string& value, double share) const;
 };
 
 // A value of each key, in the order of the keys.
 using Setting = std::vector<std::string>;
 
-// The scene with a setting, its packings drawn by their seeds plus `packing`.
+// The scene with a setting, its packings drawn by their seeds plus `packing`. Throws std::invalid_argument if a key that
+// the scene has does not take its value.
 Scene scene_with(const Case& of, const std::vector<VariedKey>& keys, const Setting& setting, int packing);
 
-// Throws std::invalid_argument if a key belongs to no scene, or a scene cannot be run at an end of a range or with a
+// Finds which keys are integers. Throws std::invalid_argument if a key belongs to no scene, or a scene cannot be run at an end of a range or with a
 // listed value.
-void judge_keys(const std::vector<VariedKey>& keys, const std::vector<Case>& cases);
+void judge_keys(std::vector<VariedKey>& keys, const std::vector<Case>& cases);
 
 // All combinations of listed values; keys with a range are in their middle.
 std::vector<Setting> combinations(const std::vector<VariedKey>& keys);
