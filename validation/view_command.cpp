@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "output/files.h"
@@ -50,10 +52,20 @@ std::string spoilt_file(const RunRecord& run) {
   return {};
 }
 
+// Before the JSON library says it in its own words. A file that is not there is said by read_run.
+void refuse_no_run(const fs::path& file) {
+  std::ifstream stream(file);
+  if (!stream) return;
+  const bool empty = stream.peek() == std::ifstream::traits_type::eof();
+  if (empty || !nlohmann::json::accept(stream))
+    throw FileError(file.string() + (empty ? ": is empty" : ": is no whole JSON") + ": it is not what a run wrote");
+}
+
 int view_command(const ViewOptions& options) {
   const fs::path directory = options.directory;
   if (!fs::is_directory(directory))
     throw FileError(options.directory + ": no such directory; furrow run --out makes one");
+  refuse_no_run(directory / "run.json");
   const RunRecord run = read_run(directory.filename(), directory);
   if (const std::string why = run.finished() ? broken_off(run) : ""; !why.empty())
     throw FileError(options.directory + ": the run finished, but " + why + ": its files are not whole");
