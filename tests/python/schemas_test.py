@@ -136,7 +136,7 @@ class OfRuns(Schemas):
         yield furrow.run(FIRST, {"time.end": 0.1, "time.locate": "all", "output.energy": False}).json
         yield furrow.run(source / "tests/property/scenes/packing.toml").json
         yield furrow.run(source / "tests/property/scenes/lattice_hit.toml", {"time.method": "odeint_dopri5"}).json
-        for changes in ({"time.step": 0.02}, {"time.step": 0.5, "time.end": 1.0, "output.frames": []}):
+        for changes in ({"time.step": 0.01}, {"time.step": 0.5, "time.end": 1.0, "output.frames": []}):
             yield self.failed(FIRST, changes)
         yield self.failed(source / "tests/property/scenes/packing.toml", {"settle.step": 0.05})
         yield self.interrupted()
