@@ -17,7 +17,7 @@ using furrow::Scene;
 // A bed that settles in a moment: fewer discs, a generous idea of rest.
 Scene shortened(Scene scene) {
   for (furrow::Packing& packing : scene.packing) packing.count = 120;
-  if (scene.settle) scene.settle = furrow::Settle{.speed = 0.3, .hold = 0.1, .limit = 5};
+  if (scene.settle) scene.settle = furrow::Settle{.speed = 0.8, .hold = 0.1, .limit = 5};
   scene.time.end = std::min(scene.time.end, 0.05);
   scene.output.frames.clear();
   return scene;
