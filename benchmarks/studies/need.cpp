@@ -13,6 +13,8 @@
 namespace furrow::benchmarks {
 namespace {
 
+constexpr int digits = 6;  // of an effect
+
 Scene changed(const Subject& subject, const Term* term, int packing) {
   Scene scene = subject.scene();
   for (Packing& p : scene.packing) p.seed += static_cast<std::uint64_t>(packing);
@@ -106,7 +108,7 @@ class Whole {
 
 Json json_of(const std::array<double, 6>& values) {
   Json json = Json::array();
-  for (const double value : values) json.push_back(std::isfinite(value) ? Json(value) : Json());
+  for (const double value : values) json.push_back(std::isfinite(value) ? Json(to_digits(value, digits)) : Json());
   return json;
 }
 
@@ -119,7 +121,8 @@ Json compared(const Run& run, const Run& whole) {
 Json between_packings(const Subject& subject, Whole& whole) {
   Json effects = Json::array();
   for (int i = 0; i < subject.packings; ++i) {
-    for (int j = 0; j < i; ++j) effects.push_back(effect(whole.of(subject, i), whole.of(subject, j))[curve]);
+    for (int j = 0; j < i; ++j)
+      effects.push_back(to_digits(effect(whole.of(subject, i), whole.of(subject, j))[curve], digits));
   }
   return effects;
 }

@@ -88,12 +88,6 @@ double nominal_evaluations(const MethodInfo& method, const Case& scene, double s
   return (scene.span.end() - scene.span.start) / step * method.evaluations;
 }
 
-double rounded(double value, int digits = 6) {
-  if (value == 0 || !std::isfinite(value)) return value;
-  const double unit = std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1 - digits);
-  return std::round(value / unit) * unit;
-}
-
 }  // namespace
 
 WorkPrecisionCurve measure_curve(const Variant& variant, const CaseInfo& info, const Case& scene,
@@ -137,10 +131,10 @@ WorkPrecisionCurve measure_curve(const Variant& variant, const CaseInfo& info, c
 Json json_of(const WorkPrecisionCurve& method_curve) {
   Json points = Json::array();
   for (const WorkPrecisionPoint& p : method_curve.points) {
-    Json one{rounded(p.setting), rounded(p.evaluations)};
+    Json one{to_digits(p.setting, 6), to_digits(p.evaluations, 6)};
     if (p.failure.empty()) {
-      for (const double value : {p.error.place, p.error.force, p.cpu, p.cpu_least, p.cpu_most})
-        one.push_back(rounded(value, 4));
+      for (const double value : {p.error.place, p.error.force}) one.push_back(to_digits(value, 4));
+      for (const double value : {p.cpu, p.cpu_least, p.cpu_most}) one.push_back(to_digits(value, 3));
     } else {
       one.push_back(p.failure);
     }

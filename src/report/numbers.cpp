@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <set>
@@ -40,6 +41,12 @@ Result result_of(const Json& json) {
 bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
 
 }  // namespace
+
+double to_digits(double value, int digits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+  return std::strtod(text.data(), nullptr);
+}
 
 std::string now_in_utc() {
   const std::time_t seconds = std::time(nullptr);

@@ -13,6 +13,9 @@ namespace furrow {
 
 using Json = nlohmann::ordered_json;
 
+// A number as it is kept: the nearest to its decimal of so many significant digits.
+double to_digits(double value, int digits);
+
 // "2026-01-31T12:00:00Z"
 std::string now_in_utc();
 

@@ -12,6 +12,7 @@ namespace furrow::validation {
 namespace {
 
 constexpr double nudge = 1e-9;  // m/s, on the first body
+constexpr int digits = 8;
 
 Json run_of(const ConvergenceRun& one, Beds& beds) {
   Prepared prepared = beds.of(one.of.scene, one.of.reading);
@@ -23,11 +24,11 @@ Json run_of(const ConvergenceRun& one, Beds& beds) {
   Json got{{"ended", run.fact("ended")->texts.at(0)}, {"reason", run.fact("reason")->texts.at(0)}};
   Json& values = got["values"] = Json::object();
   for (const Reported& r : reported(run, the_paper(), one.of.scene)) {
-    if (std::isfinite(r.ours.value)) values[r.id] = r.ours.value;
+    if (std::isfinite(r.ours.value)) values[r.id] = to_digits(r.ours.value, digits);
   }
   double sum = 0;
   for (const double f : run.force.f) sum += f;
-  values["mean_force"] = sum / static_cast<double>(run.force.f.size());
+  values["mean_force"] = to_digits(sum / static_cast<double>(run.force.f.size()), digits);
   return got;
 }
 

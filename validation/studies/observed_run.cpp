@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "output/first_touch.h"
 #include "physics/stress.h"
@@ -103,12 +101,6 @@ std::vector<Reported> reported(const RunRecord& run, const Publication& paper, c
 const Publication& the_paper() {
   static const Publication paper = read_publication(embedded("validation/statements.toml"));
   return paper;
-}
-
-double to_digits(double value, int digits) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return std::strtod(text.data(), nullptr);
 }
 
 std::string hash_of_observed(const Scene& made, const std::string& scene) {

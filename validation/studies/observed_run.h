@@ -24,9 +24,6 @@ std::vector<Reported> reported(const RunRecord& run, const Publication& paper, c
 // validation/statements.toml.
 const Publication& the_paper();
 
-// A number as it is kept: rounded to so many significant digits.
-double to_digits(double value, int digits);
-
 // Of a scene and of what the statements ask of it, not of their words: what goes into the numbers of an observed run.
 std::string hash_of_observed(const Scene& made, const std::string& scene);
 

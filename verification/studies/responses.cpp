@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "methods/method.h"
+#include "scene/wording.h"
 #include "verification/cantilever_scenes.h"
 #include "verification/damped_hertz.h"
 #include "verification/hertz_law.h"

@@ -2,6 +2,7 @@
 
 #include "report/cases.h"
 #include "run/stiffness.h"
+#include "scene/wording.h"
 #include "verification/studies/kept_numbers.h"
 
 namespace furrow::verification {
