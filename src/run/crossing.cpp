@@ -186,24 +186,61 @@ CrossingBorders crossing_borders(const System& system, double t, const State& y)
   return found;
 }
 
-CrossingBorders passed_borders(const System& system, const Step& s) {
-  const Parts& parts = system.parts();
-  CrossingBorders found;
-  if (parts.lattice.size() < 2) return found;
-  std::vector<Box> box(parts.lattice.size());
-  std::vector<Path> path;
-  for (int n = 0; n < parts.node.count(); ++n) {
-    path.push_back({node_place(system, s.t - s.h, s.before, n), node_place(system, s.t, s.after, n)});
-    box[parts.node.lattice[n]].add(path.back().from);
-    box[parts.node.lattice[n]].add(path.back().to);
+namespace {
+
+Box box_of(const Path& path) {
+  Box box;
+  box.add(path.from);
+  box.add(path.to);
+  return box;
+}
+
+// Where the nodes of each lattice are in a step, and which are there together.
+struct Ways {
+  std::vector<Path> node;
+  std::vector<Box> lattice;
+  std::vector<int> first;  // node of each lattice, and one more
+
+  Ways(const System& system, const Step& s) : lattice(system.parts().lattice.size()) {
+    const NodeArrays& nodes = system.parts().node;
+    for (int n = 0; n < nodes.count(); ++n) {
+      node.push_back({node_place(system, s.t - s.h, s.before, n), node_place(system, s.t, s.after, n)});
+      lattice[nodes.lattice[n]].add(node.back().from);
+      lattice[nodes.lattice[n]].add(node.back().to);
+      while (static_cast<int>(first.size()) <= nodes.lattice[n]) first.push_back(n);
+    }
+    first.push_back(nodes.count());
   }
+
+  std::vector<std::vector<int>> together() const {
+    std::vector<std::vector<int>> others(lattice.size());
+    for (std::size_t one = 0; one < lattice.size(); ++one)
+      for (std::size_t other = 0; other < lattice.size(); ++other)
+        if (one != other && lattice[one].meets(lattice[other])) others[one].push_back(static_cast<int>(other));
+    return others;
+  }
+};
+
+}  // namespace
+
+CrossingBorders passed_borders(const System& system, const Step& s) {
+  const BorderArrays& border = system.parts().border;
+  CrossingBorders found;
+  if (system.parts().lattice.size() < 2) return found;
+  const Ways ways(system, s);
+  const std::vector<std::vector<int>> others = ways.together();
   for (const int segment : system.border()) {
-    const int link = parts.border.link[segment], own = parts.border.lattice[segment];
-    if (link >= 0 && parts.link.kind[link] == LinkClass::shear) continue;
-    for (int n = 0; n < parts.node.count(); ++n) {
-      const int other = parts.node.lattice[n];
-      if (other == own || !box[own].meets(box[other]) || !crosses_segment(system, s, path[n], segment)) continue;
-      if (++found.pairs == 1) found.where = names_of(system, std::min(own, other), std::max(own, other));
+    const int link = border.link[segment], own = border.lattice[segment];
+    if (others[own].empty() || (link >= 0 && system.parts().link.kind[link] == LinkClass::shear)) continue;
+    Box box = box_of(ways.node[border.a[segment]]);
+    box.add(ways.node[border.b[segment]].from);
+    box.add(ways.node[border.b[segment]].to);
+    for (const int other : others[own]) {
+      if (!box.meets(ways.lattice[other])) continue;
+      for (int n = ways.first[other]; n < ways.first[other + 1]; ++n) {
+        if (!box.meets(box_of(ways.node[n])) || !crosses_segment(system, s, ways.node[n], segment)) continue;
+        if (++found.pairs == 1) found.where = names_of(system, std::min(own, other), std::max(own, other));
+      }
     }
   }
   return found;

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 #include "kernel/parallel.h"
-#include "kernel/wide.h"
-#include "physics/ramp.h"
 #include "run/events.h"
+#include "run/step_check.h"
 #include "run/stiffness.h"
 #include "scene/interrupt.h"
 #include "scene/wording.h"
@@ -18,125 +14,6 @@
 
 namespace furrow {
 namespace {
-
-// Integers for the verdicts: they may be combined in any order, so the loop is vectorised. The exponent bits of a
-// number that is not finite are all ones: adding one carries into the sign.
-FURROW_WIDE bool all_finite_lanes(const double* y, std::size_t n) {
-  constexpr std::uint64_t exponent = 0x7ff0000000000000, one = 0x0010000000000000;
-  std::uint64_t carried = 0;
-  for (std::size_t k = 0; k < n; ++k) carried |= (std::bit_cast<std::uint64_t>(y[k]) & exponent) + one;
-  return carried <= exponent;
-}
-FURROW_WIDTHS(bool, all_finite, (const double* y, std::size_t n), (y, n))
-
-FURROW_WIDE bool all_near_lanes(const double* one, const double* other, const double* limit, std::size_t n) {
-  std::int64_t far = 0;
-  for (std::size_t i = 0; i < n; ++i) far += std::fabs(one[i] - other[i]) > limit[i] ? 1 : 0;
-  return far == 0;
-}
-FURROW_WIDTHS(bool, all_near, (const double* one, const double* other, const double* limit, std::size_t n),
-              (one, other, limit, n))
-
-// A body that moves further than its size in a step, or a node further than the smallest disc's radius, passes contacts
-// unseen: the step is too long, or the run has blown up.
-class Watch {
- public:
-  explicit Watch(const System& system) : system_(system) {
-    const Parts& parts = system.parts();
-    size_ = parts.disc.radius;
-    for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
-    for (int n = 0; n < parts.node.count(); ++n) {
-      if (parts.node.body[n] >= 0) size_.push_back(std::min(parts.node.spacing[n], least_radius_));
-    }
-    for (const PlatePart& p : parts.plate) {
-      quarter_side_ = std::min({quarter_side_, p.width / 4, p.height / 4});
-      plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
-    }
-    for (const double size : size_) least_size_ = std::min(least_size_, size);
-  }
-
-  // Empty if the step from `before` to `after` is sound; else `body` is the one that went too far, if any.
-  std::string complaint(const Step& step, int& body) const {
-    const State &before = step.before, &after = step.after;
-    const std::size_t bodies = size_.size();
-    std::atomic<bool> finite = true;
-    in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
-      if (!all_finite(after.data() + first, last - first)) finite = false;
-    });
-    if (finite && none_beyond_its_size(step)) {
-      const std::string driven = driven_too_far(step);
-      return driven.empty() ? stepped_over(step, body) : driven;
-    }
-    Sentence text;
-    for (std::size_t i = 0; i < bodies; ++i) {
-      const double moved = std::hypot(after[i] - before[i], after[bodies + i] - before[bodies + i]);
-      if (moved <= size_[i]) continue;
-      body = static_cast<int>(i);
-      text << system_.parts().body_name(body);
-      if (std::isfinite(moved)) {
-        const bool by_disc = i >= system_.parts().disc.radius.size() && size_[i] == least_radius_;
-        text << " moved " << moved << " m in one step of " << step.h << " s, more than "
-             << (by_disc ? "the radius of the smallest disc, " : "its size of ") << size_[i] << " m";
-      } else {
-        text << " has a position that is not finite";
-      }
-      return text.str();
-    }
-    text << "a velocity or tangential spring is not finite";
-    return text.str();
-  }
-
- private:
-  // Driven nodes are no bodies: further than the radius of the smallest disc in a step they pass discs unseen.
-  std::string driven_too_far(const Step& step) const {
-    if (system_.solver().preparing()) return {};
-    for (const DrivePart& d : system_.parts().drive) {
-      const double time = ramped(step.t, d.ramp).time - ramped(step.t - step.h, d.ramp).time;
-      const double moved = std::hypot(d.vx, d.vy) * time;
-      if (!(moved > least_radius_)) continue;
-      Sentence text;
-      text << "the driven nodes of lattice " << d.lattice << " moved " << moved << " m in one step of " << step.h
-           << " s, more than the radius of the smallest disc, " << least_radius_ << " m";
-      return text.str();
-    }
-    return {};
-  }
-
-  // If plates and bodies move by less than a quarter of a plate's smaller side in a step, no plate skips a body.
-  std::string stepped_over(const Step& step, int& body) const {
-    const Parts& parts = system_.parts();
-    if (parts.plate.empty() ||
-        (plate_speed_ * step.h <= quarter_side_ && step.motion.moved_squared <= quarter_side_ * quarter_side_))
-      return {};
-    const ContactId over = furrow::stepped_over(system_, step);
-    if (over.a < 0) return {};
-    body = of_disc(over.kind) ? over.a : parts.node.body[over.a];
-    Sentence text;
-    text << "plate " << over.b << " stepped over " << parts.body_name(body) << " in one step of " << step.h
-         << " s: it was on one side of it before and is on the other now, and they never touched; the step is too long";
-    return text.str();
-  }
-
-  bool none_beyond_its_size(const Step& step) const {
-    if (step.motion.moved_squared <= least_size_ * least_size_) return true;
-    std::atomic<bool> all = true;
-    const std::size_t bodies = size_.size();
-    in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
-      for (const std::size_t axis : {first, bodies + first}) {
-        if (!all_near(step.before.data() + axis, step.after.data() + axis, size_.data() + first, last - first))
-          all = false;
-      }
-    });
-    return all;
-  }
-
-  const System& system_;
-  std::vector<double> size_;        // m, by body
-  double quarter_side_ = infinity;  // m, a quarter of the smallest side of a plate
-  double least_size_ = infinity;    // m
-  double plate_speed_ = 0;          // m/s, of the fastest
-  double least_radius_ = infinity;  // m
-};
 
 // A controlled method that takes ever shorter steps would never reach the end.
 class Pace {
@@ -192,7 +69,7 @@ std::string to_string(Ending ending) {
 RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const AfterStep& after_step) {
   const DefaultFloatingPoint environment;
   if (const std::string why = refusal(method.info(), system); !why.empty()) throw std::invalid_argument(why);
-  const Watch watch(system);
+  const StepCheck steps(system);
   RunPoint own;
   RunPoint& at = plan.point ? *plan.point : own;
   if (!at.begun) at.time = at.paced = plan.start;
@@ -205,7 +82,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
   const bool copies = plan.locate != Locate::none || !method.start();
   int body = -1;
   const auto check = [&](const Step& step) {
-    if (const std::string complaint = watch.complaint(step, body); !complaint.empty()) throw Divergence(complaint);
+    if (const std::string complaint = steps.complaint(step, body); !complaint.empty()) throw Divergence(complaint);
   };
   EventSteps stepper(system, method, plan.locate, check, plan.validity, at.events);
   Pace pace(plan, at);

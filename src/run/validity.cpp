@@ -12,7 +12,8 @@
 namespace furrow {
 namespace {
 
-constexpr long balance_every = 200, borders_every = 50;  // steps, at the energy and at what crosses
+constexpr long balance_every = 200, closely_every = 25;  // steps, at the energy
+constexpr long borders_every = 50;                       // steps, at what crosses
 constexpr double renew_beyond = 1.1;                     // times what was there when it was looked at last
 constexpr double judge_beyond = 1.25;                    // times the rate that the step was judged by
 
@@ -115,6 +116,7 @@ void Validity::history(HistoryVisitor& visit) {
   visit("supplied", supplied_);
   visit("plate power", plate_power_);
   visit("since booked", since_booked_);
+  visit("begun", begun_);
   visit("since crossed", since_crossed_);
   visit("passed", passed_);
   visit("stepped overlap", stepped_overlap_);
@@ -165,9 +167,18 @@ void Validity::see(const Step& step, const JumpReport& report) {
   look_at_borders(step);
   look_at_step(step, survey);
   look_at_arrival(step.t);
-  if (system_.keeps_ledger() && (!started_ || ++since_booked_ >= balance_every))
-    book(step.t, observe(system_, step.t, step.after));
+  look_at_energy(step);
   started_ = true;
+}
+
+void Validity::look_at_energy(const Step& step) {
+  if (!system_.keeps_ledger()) return;
+  if (started_) ++since_booked_;
+  const bool warned =
+      std::max(of(WatchKind::energy_made).verdict(), of(WatchKind::energy_lost).verdict()) >= Verdict::warned;
+  const bool due = !started_ || since_booked_ >= (warned ? closely_every : balance_every);
+  if (due) return book(step.t, observe(system_, step.t, step.after));
+  if (!begun_ && since_booked_ % closely_every == 0) judge_energy(step.t, observe(system_, step.t, step.after), true);
 }
 
 void Validity::look_at_speed(const Step& step) {
@@ -257,6 +268,12 @@ void Validity::look_at_arrival(double t) {
 
 void Validity::book(double t, const Observation& seen) {
   since_booked_ = 0;
+  begun_ = started_;
+  judge_energy(t, seen, false);
+}
+
+// Early, what a first-order method is off in its n-th step, a share of 1/n, is not yet worth a warning.
+void Validity::judge_energy(double t, const Observation& seen, bool early) {
   const Energies& e = seen.energy;
   if (!started_) start_ = e;
   // What plates will do in the step in which they touch the method cannot know yet.
@@ -264,8 +281,9 @@ void Validity::book(double t, const Observation& seen) {
   const double residual = e.residual(start_);
   const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
   if (!(std::fabs(residual) > nothing) || !(supplied_ > 0)) return;
-  look(residual > 0 ? WatchKind::energy_made : WatchKind::energy_lost, t, std::fabs(residual) / supplied_,
-       [] { return std::string(); });
+  const WatchKind kind = residual > 0 ? WatchKind::energy_made : WatchKind::energy_lost;
+  const double share = std::fabs(residual) / supplied_;
+  if (!early || share > of(kind).ends_above) look(kind, t, share, [] { return std::string(); });
 }
 
 }  // namespace furrow

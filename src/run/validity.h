@@ -18,9 +18,10 @@
 // Overlap: at 0.1 a contact is 0.3 radii wide, too wide for Hertz's half-space; at 1 a centre reaches the other's
 // surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
 // means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
-// Energy is looked at every 200 steps and at the end, since what was made stays in the residual; crossing lattices every
-// 50 steps, lattices that pass each other at each; the step when contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by
-// the fastest that there was; all else at each step.
+// Energy is looked at every 200 steps and at the end, since what was made stays in the residual; every 25 once there was
+// a warning, and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, lattices that
+// pass each other at each; the step when contacts have come or deepened by a tenth and the fastest rate has grown by a
+// quarter, and once at the end by the fastest that there was; all else at each step.
 #pragma once
 
 #include <array>
@@ -107,6 +108,8 @@ class Validity {
   template <class Where>
   void look(WatchKind kind, double t, double value, const Where& where);
   void say(WatchKind kind, Verdict verdict);
+  void look_at_energy(const Step& step);
+  void judge_energy(double t, const Observation& seen, bool early);
   void look_at_speed(const Step& step);
   void look_at_contacts(double t, const Survey& survey);
   void look_at_plates(double t, const Survey& survey);
@@ -129,6 +132,7 @@ class Validity {
   double supplied_ = 0;                                // J, the most so far
   double plate_power_ = 0;                             // W, of the last step
   long since_booked_ = 0;                              // steps
+  bool begun_ = false;                                 // the energy was booked after the start
   long since_crossed_ = 0;                             // steps with lattices
   int passed_ = 0;                                     // nodes that crossed another lattice's border, so far
   double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last

@@ -21,26 +21,38 @@ double smallest_disc(const Scene& scene) {
   return least;
 }
 
-// Whether a node lies within the height (upright), or within the width of a plate.
-bool stands_against(const Lattice& l, const Plate& p, bool upright) {
-  const double side = upright ? p.height : p.width;
-  const double from = (upright ? p.lower_edge.value_or(NAN) : p.left_edge) - touch * side;
-  const StandingLattice here(l);
-  return std::any_of(here.nodes().begin(), here.nodes().end(), [&](Vec2 node) {
-    const double at = upright ? node.y : node.x;
-    return at >= from && at <= from + (1 + 2 * touch) * side;
-  });
+// The plate's range across its way, along which it goes in time.end from `from` to `to`.
+struct Track {
+  bool along_x;
+  double low, high, from, to;  // m
+};
+
+Track track_of(const Plate& p, double end) {
+  const bool along_x = std::fabs(p.velocity.x) >= std::fabs(p.velocity.y);
+  const double left = p.left_edge, lower = *p.lower_edge;
+  const double begin = along_x ? left : lower, length = along_x ? p.width : p.height;
+  const double way = (along_x ? p.velocity.x : p.velocity.y) * end;
+  const double low = along_x ? lower : left, side = along_x ? p.height : p.width;
+  return {along_x, low, low + side, std::min(begin, begin + way), std::max(begin, begin + way) + length};
 }
 
-// A plate meets nodes with the side across its way; one that stands, with either.
-std::string fits_between(const Plate& p, const Lattice& l, const std::string& path) {
-  const double along_x = std::fabs(p.velocity.x), along_y = std::fabs(p.velocity.y);
-  const bool stands = along_x == 0 && along_y == 0;
-  const bool upright = stands ? p.height < p.width : along_x >= along_y;
-  const double side = upright ? p.height : p.width;
-  if (!(side < (1 - touch) * l.spacing) || stands_against(l, p, upright)) return {};
-  if (stands && stands_against(l, p, !upright)) return {};
-  return std::string("its ") + (upright ? "height, " : "width, ") + rounded(side, 3) +
+// A plate that moves meets nodes with the side across its way. It passes between two of them where it comes to a lattice
+// and none is within that side.
+std::string fits_between(const Plate& p, const Lattice& l, double end, const std::string& path) {
+  if (!p.lower_edge || (p.velocity.x == 0 && p.velocity.y == 0)) return {};  // its place is known when the bed is
+  const Track track = track_of(p, end);
+  const double side = track.high - track.low, slack = touch * side;
+  if (!(side < (1 - touch) * l.spacing)) return {};
+  bool below = false, above = false;
+  const StandingLattice here(l);
+  for (const Vec2 node : here.nodes()) {
+    const double across = track.along_x ? node.y : node.x, along = track.along_x ? node.x : node.y;
+    if (along < track.from || along > track.to) continue;  // it never comes there
+    if (across >= track.low - slack && across <= track.high + slack) return {};
+    (across < track.low ? below : above) = true;
+  }
+  if (!below || !above) return {};
+  return std::string("its ") + (track.along_x ? "height, " : "width, ") + rounded(side, 3) +
          " m, is less than the spacing of " + path + ", " + rounded(l.spacing, 3) +
          " m, and no node stands over against it: plates meet nodes alone, so it can pass between two of them";
 }
@@ -50,9 +62,9 @@ std::string fits_between(const Plate& p, const Lattice& l, const std::string& pa
 double half_gap(const Lattice& l) { return l.auxiliary_points == 0 ? 0 : l.spacing / (l.auxiliary_points + 1) / 2; }
 
 std::string way_through(const Lattice& l, double radius) {
-  if (!(radius < half_gap(l))) return {};
+  if (l.rows * l.columns < 2 || !(radius < (1 - touch) * half_gap(l))) return {};
   constexpr double most = 1000;  // points that a segment may have
-  const double needed = std::floor(l.spacing / (2 * radius));
+  const double needed = std::ceil((1 - touch) * l.spacing / (2 * radius)) - 1;
   return "discs of radius " + rounded(radius, 3) + " m pass between the points of its border, which are " +
          rounded(2 * half_gap(l), 3) + " m apart: take " +
          (needed <= most ? "at least " + rounded(needed, 4) + " points, or " : "") + "0, the whole border";
@@ -67,7 +79,7 @@ void judge_gaps(const Scene& scene, Findings& found) {
     if (const std::string through = way_through(l, radius); !through.empty())
       found.warning(path + ".auxiliary_points", through);
     for (std::size_t j = 0; j < scene.plate.size(); ++j)
-      if (const std::string fits = fits_between(scene.plate[j], l, path); !fits.empty())
+      if (const std::string fits = fits_between(scene.plate[j], l, scene.time.end, path); !fits.empty())
         found.warning(item("plate", j), fits);
   }
 }

@@ -46,6 +46,11 @@ TEST_F(Refused, ABodyThatNoStepWouldMove) {
   expect_refused("run far.toml --out here", 2, "position: so far out, 1e+09 m, that a step of 1e-06 s at 0.05 m/s");
   put("near.toml", far + "position = [1e4, 0.0]\n");
   EXPECT_EQ(furrow("run near.toml --out here").code, 0) << err();
+  put("aside.toml", far + "position = [0.0, 1e9]\n");
+  EXPECT_EQ(furrow("check aside.toml").code, 0) << "it moves along the other axis: " << err();
+  put("short.toml", far + "position = [0.5, 0.2]\n");
+  EXPECT_EQ(furrow("run short.toml --until 1e-7 --dt 1e-8 --set disc[0].velocity=[0.0,0.0] --out short").code, 0)
+      << err();
 }
 
 TEST_F(Refused, TolerancesOfAMethodThatTakesFixedStepsAreWarnedOf) {

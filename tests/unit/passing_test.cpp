@@ -57,6 +57,20 @@ TEST(Passing, ALatticeDoesNotStepOverADisc) {
   EXPECT_NE(r.end.reason.find("more than the radius of the smallest disc"), std::string::npos) << r.end.reason;
 }
 
+// 3 mm a step, the disc of 1 mm is 1 m away: only what may meet it has to go in smaller steps.
+TEST(Passing, ADiscFarAwayLimitsNoLattice) {
+  for (const double place : {1.0, 0.055}) {
+    Scene scene = soft_scene();
+    scene.disc = {disc({place, place}, 1e-3)};
+    Lattice l = lattice({0, 0}, 1, 2, 0.05);
+    l.structural = {1e3, 0.1};
+    l.node = {node_setting(0, 0, {}, {3, 3}), node_setting(0, 1, {}, {3, 3})};
+    scene.lattice = {l};
+    const Ending ending = watched(scene, "pece", 1e-3, 0.01).end.ending;
+    EXPECT_EQ(ending, place == 1.0 ? Ending::finished : Ending::diverged) << place;
+  }
+}
+
 // One that stands and one that comes at 1 m/s: strands that are parallel, and a single node through a block.
 TEST(Passing, LatticesThatPassThroughEachOtherAreCounted) {
   for (const bool block : {false, true}) {

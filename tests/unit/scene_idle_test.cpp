@@ -86,17 +86,34 @@ TEST(SceneGaps, DiscsThatPassBetweenThePointsOfABorderAreSaidWithTheNumberThatHo
   EXPECT_EQ(with(0.0024, 0), Lines{});
 }
 
-TEST(SceneGaps, PlatesThatFitBetweenTwoNodesAreSaid) {
-  EXPECT_EQ(
-      warnings([](Scene& s) { s.plate[0].width = 0.009; }),
-      Lines{"plate[0]: its width, 0.009 m, is less than the spacing of lattice[0], 0.01 m, and no node stands over "
-            "against it: plates meet nodes alone, so it can pass between two of them"});
-  EXPECT_EQ(warnings([](Scene& s) { s.plate[0].width = 0.002, s.plate[0].left_edge = 0.009; }), Lines{});
+TEST(SceneGaps, OneNodeHasNoBorder) {
   EXPECT_EQ(warnings([](Scene& s) {
-              s.plate[0].width = 0.009, s.plate[0].velocity = {1e-3, 0};
+              s.disc[0].radius = 1e-3, s.lattice[0].rows = s.lattice[0].columns = 1, s.lattice[0].fixed_rows = {};
+              s.lattice[0].auxiliary_points = 2;
             }),
-            Lines{})
-      << "its height goes first";
+            Lines{});
+}
+
+// Rows at 0, 10 and 20 mm; a plate 5 mm high on its way to them between two rows.
+TEST(SceneGaps, APlateThatPassesBetweenTwoRowsIsSaidAndNoOther) {
+  const auto with = [](Vec2 corner, Vec2 velocity, double height = 0.005) {
+    return warnings([&](Scene& s) {
+      s.time.end = 1;
+      s.lattice[0].fixed_rows = {};
+      s.lattice[0].origin = {1, 1};
+      s.plate[0].left_edge = corner.x, s.plate[0].lower_edge = corner.y;
+      s.plate[0].width = 0.02, s.plate[0].height = height, s.plate[0].velocity = velocity;
+    });
+  };
+  EXPECT_EQ(with({0.9, 1.002}, {0.2, 0}),
+            Lines{"plate[0]: its height, 0.005 m, is less than the spacing of lattice[0], 0.01 m, and no node stands "
+                  "over against it: plates meet nodes alone, so it can pass between two of them"});
+  EXPECT_EQ(with({0.9, 0.998}, {0.2, 0}), Lines{}) << "it meets the lowest row";
+  EXPECT_EQ(with({0.9, 1.2}, {0.2, 0}), Lines{}) << "it passes above";
+  EXPECT_EQ(with({0.9, 1.002}, {-0.2, 0}), Lines{}) << "it moves away";
+  EXPECT_EQ(with({0.9, 1.002}, {0.02, 0}), Lines{}) << "it does not come so far";
+  EXPECT_EQ(with({0.9, 1.002}, {0, 0}), Lines{}) << "it stands";
+  EXPECT_EQ(with({0.9, 1.002}, {0.2, 0}, 0.01), Lines{}) << "it is as high as they are apart";
 }
 
 TEST(SceneStart, PlatesThatAreOneSurfaceAreNotSaidToBeFeltTwice) {
