@@ -99,7 +99,7 @@ void print_left_out(const Scene& scene, const System& system) {
     line("faces of plates",
          "are not kept: a centre past the middle of a plate comes out behind it (model.tight_plates)");
   if (!parts.lattice.empty())
-    line("lattices", "and parts of a torn one do not touch each other; run.json says where they cross");
+    line("lattices", "do not touch each other or themselves; run.json says where they cross or turn inside out");
   print_borders(scene, parts);
   if (parts.node.count() > parts.free_nodes)
     line(parts.driven.empty() ? "fixed nodes" : "fixed, driven nodes", "touch discs, but neither plates nor walls");

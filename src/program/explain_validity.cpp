@@ -102,7 +102,7 @@ void print_allowed(const Scene& scene) {
   if (a.behind_walls) line("walls", "centres of discs may lie behind them");
   if (a.through_plates) line("plates", "centres may cross them");
   if (a.through_lattices) line("lattices", "centres may cross their borders");
-  if (a.crossing_lattices.value_or(false)) line("lattices", "they, or parts of a torn one, may cross each other");
+  if (a.crossing_lattices.value_or(false)) line("lattices", "they may cross each other or themselves");
 }
 
 void print_arrival(const Timing& time, const Prepared& prepared) {

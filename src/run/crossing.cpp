@@ -7,6 +7,19 @@
 #include "scene/border.h"
 
 namespace furrow {
+
+Vec2 node_place(const System& system, double t, const State& y, int node) {
+  const int body = system.parts().node.body[node];
+  if (body >= 0) return {y[system.x_of(body)], y[system.y_of(body)]};
+  const NodeAt held = held_node_at(system.parts(), node, t, system.solver().preparing());
+  return {held.x, held.y};
+}
+
+std::string lattice_name(const System& system, int lattice) {
+  const std::string& given = system.parts().lattice[lattice].name;
+  return given.empty() ? std::to_string(lattice) : given;
+}
+
 namespace {
 
 struct Path {
@@ -25,13 +38,6 @@ Vec2 place(const System& system, const State& y, int body) { return {y[system.x_
 Path path_from_plate(const System& system, const Step& s, int plate, int body) {
   return {from_middle(system, plate, s.t - s.h, place(system, s.before, body)),
           from_middle(system, plate, s.t, place(system, s.after, body))};
-}
-
-Vec2 node_place(const System& system, double t, const State& y, int node) {
-  const int body = system.parts().node.body[node];
-  if (body >= 0) return place(system, y, body);
-  const NodeAt held = held_node_at(system.parts(), node, t, system.solver().preparing());
-  return {held.x, held.y};
 }
 
 // Twice the area of the triangle a, b, p: positive if p is to the left of a -> b.
@@ -147,37 +153,22 @@ std::vector<StandingSegment> standing_segments(const System& system, double t, c
   return standing;
 }
 
-std::vector<char> torn_lattices(const System& system) {
-  const Parts& parts = system.parts();
-  std::vector<char> torn(parts.lattice.size(), 0);
-  for (int k = 0; k < parts.link.count(); ++k) {
-    if (system.torn(k)) torn[parts.node.lattice[parts.link.a[k]]] = 1;
-  }
-  return torn;
-}
-
 std::string names_of(const System& system, int one, int other) {
-  const auto name = [&](int lattice) {
-    const std::string& given = system.parts().lattice[lattice].name;
-    return "lattice " + (given.empty() ? std::to_string(lattice) : given);
-  };
-  return one == other ? "parts of " + name(one) : name(one) + " and " + name(other);
+  const auto name = [&](int lattice) { return "lattice " + lattice_name(system, lattice); };
+  return one == other ? name(one) + " and itself" : name(one) + " and " + name(other);
 }
 
 }  // namespace
 
 CrossingBorders crossing_borders(const System& system, double t, const State& y) {
   const BorderArrays& border = system.parts().border;
-  const std::vector<char> torn = torn_lattices(system);
   CrossingBorders found;
-  if (torn.size() == 1 && torn[0] == 0) return found;
   const std::vector<StandingSegment> standing = standing_segments(system, t, y);
   for (std::size_t i = 0; i < standing.size(); ++i) {
     const StandingSegment& p = standing[i];
     for (std::size_t k = i + 1; k < standing.size() && standing[k].box.left <= p.box.right; ++k) {
       const StandingSegment& q = standing[k];
-      const bool apart = border.lattice[p.segment] != border.lattice[q.segment] || torn[border.lattice[p.segment]] != 0;
-      if (!apart || share_a_node(border, p.segment, q.segment) || !p.box.meets(q.box)) continue;
+      if (share_a_node(border, p.segment, q.segment) || !p.box.meets(q.box)) continue;
       if (segments_cross(p.a, p.b, q.a, q.b) && ++found.pairs == 1)
         found.where = names_of(system, std::min(border.lattice[p.segment], border.lattice[q.segment]),
                                std::max(border.lattice[p.segment], border.lattice[q.segment]));

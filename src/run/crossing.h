@@ -8,6 +8,12 @@
 
 namespace furrow {
 
+// m, of a node, whether it moves, is held or driven.
+Vec2 node_place(const System& system, double t, const State& y, int node);
+
+// As in the scene, else its number.
+std::string lattice_name(const System& system, int lattice);
+
 // Whether disc or node `contact.a` crossed the middle of the plate contact.b, between its two larger faces; where faces
 // are kept, in a step that began too far away to be on one.
 bool crosses_plate(const System& system, const Step& step, const ContactId& contact);
@@ -15,12 +21,15 @@ bool crosses_plate(const System& system, const Step& step, const ContactId& cont
 // Whether disc `near.contact.a` crossed the border segment near.segment or one next to it, while whole.
 bool crosses_border(const System& system, const Step& step, const Survey::Near& near);
 
-// Pairs of border segments that cross each other, of two lattices or of one that has torn, and of what the first are.
+// Pairs of border segments that cross each other, of two lattices or of one, and of what the first are.
 struct CrossingBorders {
   int pairs = 0;
   std::string where{};
 };
 CrossingBorders crossing_borders(const System& system, double t, const State& y);
+
+// Cells of which all four sides are whole and go round the wrong way.
+CrossingBorders cells_inside_out(const System& system, double t, const State& y);
 
 // Nodes that crossed a border segment of another lattice in the step.
 CrossingBorders passed_borders(const System& system, const Step& step);

@@ -32,7 +32,7 @@ constexpr std::array<Rule, watch_kinds> rules{{
     {WatchKind::through_plates, "through_plates", 0, 0, "centres that have crossed the middle of a plate: ", ""},
     {WatchKind::through_lattices, "through_lattices", 0, 0, "centres that have crossed the border of a lattice: ", ""},
     {WatchKind::crossing_lattices, "crossing_lattices", 0, infinity,
-     "lattices reach through each other; crossings of their borders: ", ""},
+     "lattices reach through each other or themselves; crossings of borders and cells inside out: ", ""},
     {WatchKind::impact, "impact", 1, infinity, "a contact has ",
      " times the energy that carries the one through the other"},
     {WatchKind::step, "step", 0.5, infinity, "the step is ", " times the largest stable one"},
@@ -227,7 +227,9 @@ void Validity::look_at_borders(const Step& step) {
   }
   if ((since_crossed_++ % borders_every) != 0) return;
   const CrossingBorders found = crossing_borders(system_, step.t, step.after);
-  look(WatchKind::crossing_lattices, step.t, found.pairs, [&] { return found.where; });
+  const CrossingBorders turned = cells_inside_out(system_, step.t, step.after);
+  look(WatchKind::crossing_lattices, step.t, found.pairs + turned.pairs,
+       [&] { return found.pairs > 0 ? found.where : turned.where; });
 }
 
 // The spectrum of the contacts changes with how many there are and how deep.

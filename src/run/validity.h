@@ -7,9 +7,9 @@
 //   behind_walls     discs whose centres are behind a wall, at once                    0              0
 //   through_plates   centres that crossed the middle of a plate                        0              0
 //   through_lattices centres that crossed a whole border segment                       0              0
-//   crossing_lattices pairs of border segments that cross, of two lattices or of parts  0               -
-//                    of a torn one, which do not touch each other; or nodes that have
-//                    crossed another lattice's border
+//   crossing_lattices pairs of border segments that cross, of two lattices or of one,   0               -
+//                    which do not touch each other, and cells that are inside out; or
+//                    nodes that have crossed another lattice's border
 //   impact           energy of a contact, of what carries the one through the other   1               -
 //   step             step, of the largest stable one at the contacts that are there   0.5             -
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -

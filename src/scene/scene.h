@@ -245,7 +245,7 @@ struct Allow {
   bool behind_walls = false;                // centres of discs behind a wall
   bool through_plates = false;              // centres that cross the middle of a plate
   bool through_lattices = false;            // centres that cross the border of a lattice
-  std::optional<bool> crossing_lattices{};  // borders of lattices, or of parts of a torn one, that cross each other
+  std::optional<bool> crossing_lattices{};  // that cross each other or themselves, cells inside out
 };
 
 struct Scene {

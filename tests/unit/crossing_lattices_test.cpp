@@ -1,4 +1,4 @@
-// Lattices, and parts of a torn one, do not touch each other: where they cross, that is said.
+// Lattices do not touch each other or themselves, and may turn inside out: where they do, that is said.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,8 +42,41 @@ TEST(CrossingLattices, OfTheHalvesOfATornOneAreNoticed) {
   ASSERT_EQ(r.tears, 7) << "3 structural and 4 shear links between the halves";
   ASSERT_LT(*std::max_element(r.y.begin(), r.y.begin() + 6), 0) << "all of it has passed";
   EXPECT_EQ(r.of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
-  EXPECT_EQ(r.of(WatchKind::crossing_lattices).where, "parts of lattice 0");
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).where, "lattice 0 and itself");
   EXPECT_TRUE(watched(allowing_all(scene), "verlet", 1e-3, 1).warnings.empty());
+}
+
+// The right column of a whole lattice, pushed through the left one: its links are then as long as before.
+Scene pushed_through(int rows) {
+  Scene scene = empty_scene();
+  Lattice l = lattice({0, 0}, rows, 2, 0.1);
+  l.fixed_columns = {0};
+  l.structural = link_kind(10, 0);
+  for (int k = 0; k < rows; ++k) l.node.push_back(node_setting(k, 1, {}, {-1, 0}));
+  scene.lattice = {l};
+  return scene;
+}
+
+TEST(CrossingLattices, CellsThatTurnInsideOutAreNoticed) {
+  const WatchedRun r = watched(pushed_through(3), "verlet", 1e-3, 0.15);
+  ASSERT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  ASSERT_LT(r.y[0], 0);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).worst, 2);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).where, "cell at row 0, column 0 of lattice 0 is inside out");
+  EXPECT_EQ(watched(pushed_through(1), "verlet", 1e-3, 0.15).of(WatchKind::crossing_lattices).worst, 0)
+      << "a single link has no inside";
+}
+
+// A chain whose end is thrown across its middle.
+TEST(CrossingLattices, AChainThatCrossesItselfIsNoticed) {
+  Scene scene = empty_scene();
+  Lattice l = lattice({0, 0}, 1, 4, 0.1);
+  l.node = {node_setting(0, 2, {-0.05, 0.1}), node_setting(0, 3, {-0.25, 0.05}, {0, -1})};
+  scene.lattice = {l};
+  const WatchedRun r = watched(scene, "verlet", 1e-3, 0.15);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).where, "lattice 0 and itself");
 }
 
 TEST(CrossingLattices, ThatAreApartOrWholeAreNot) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "methods/stability.h"
 #include "physics/impact.h"
 #include "run/stiffness.h"
 #include "watched_run.h"
@@ -89,29 +88,6 @@ TEST(Validity, AStepTooLongForAnImpactMakesEnergyAndEndsTheRun) {
   EXPECT_EQ(r.of(WatchKind::arrival).verdict(), Verdict::warned) << "it arrives too fast for that step";
   ASSERT_FALSE(r.warnings.empty());
   EXPECT_NE(r.warnings[0].find("at t = 0 s the step is"), std::string::npos) << "which is known before it touches";
-}
-
-// Two nodes of 2 kg on a spring, omega = 10 rad/s: at 1.01 times its limit rk4 makes a seventh of the energy a step.
-TEST(Validity, ARunOfFewStepsEndsWhereItHasMadeItsEnergy) {
-  Scene scene = empty_scene();
-  Lattice l = lattice({0, 0}, 1, 2, 0.1);
-  l.structural = link_kind(100, 0);
-  l.node = {node_setting(0, 0, {}, {1e-3, 0}), node_setting(0, 1, {}, {-1e-3, 0})};
-  scene.lattice = {l};
-  const double step = 1.01 * largest_stable_step("rk4", {10, 0});
-  const WatchedRun r = watched(scene, "rk4", step, 150 * step);
-  EXPECT_EQ(r.end.ending, Ending::invalid) << r.end.reason;
-  EXPECT_EQ(r.end.steps, 25) << "where the energy is looked at first";
-}
-
-// Of what falls, the first step of semi-implicit Euler has twice the energy, the n-th (1 + 1/n).
-TEST(Validity, ThatAFirstOrderMethodBeginsRoughlyIsNoWarning) {
-  Scene scene = empty_scene();
-  scene.model.gravity = 9.81;
-  scene.disc = {disc({0, 0}, radius)};
-  const WatchedRun r = watched(scene, "symplectic_euler", 1e-3, 0.199);
-  EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
-  EXPECT_EQ(r.warnings, std::vector<std::string>{});
 }
 
 TEST(Validity, TheArrivalIsJudgedByTheStiffnessOfTheImpact) {

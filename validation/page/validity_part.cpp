@@ -18,7 +18,7 @@ std::string in_words(const std::string& name) {
       {"behind_walls", "discs whose centres are behind a wall, at once"},
       {"through_plates", "centres that crossed the middle of a plate"},
       {"through_lattices", "centres that crossed the border of a lattice"},
-      {"crossing_lattices", "pairs of border segments of lattices, or of parts of a torn one, that cross"},
+      {"crossing_lattices", "pairs of border segments of lattices that cross, and cells that are inside out"},
       {"impact", "energy of a contact, of what carries the one through the other"},
       {"step", "step, of the largest stable one at the contacts that are there"},
       {"arrival", "step, of the largest stable one in an impact that may come"}};

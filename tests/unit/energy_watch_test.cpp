@@ -1,0 +1,36 @@
+// When the watch over the energy looks, and what it lets pass.
+#include <gtest/gtest.h>
+
+#include "methods/stability.h"
+#include "watched_run.h"
+
+namespace furrow {
+namespace {
+
+using namespace test;
+
+// Two nodes of 2 kg on a spring, omega = 10 rad/s: at 1.01 times its limit rk4 makes a seventh of the energy a step.
+TEST(EnergyWatch, ARunOfFewStepsEndsWhereItHasMadeItsEnergy) {
+  Scene scene = empty_scene();
+  Lattice l = lattice({0, 0}, 1, 2, 0.1);
+  l.structural = link_kind(100, 0);
+  l.node = {node_setting(0, 0, {}, {1e-3, 0}), node_setting(0, 1, {}, {-1e-3, 0})};
+  scene.lattice = {l};
+  const double step = 1.01 * largest_stable_step("rk4", {10, 0});
+  const WatchedRun r = watched(scene, "rk4", step, 150 * step);
+  EXPECT_EQ(r.end.ending, Ending::invalid) << r.end.reason;
+  EXPECT_EQ(r.end.steps, 25) << "where the energy is looked at first";
+}
+
+// Of what falls, the first step of semi-implicit Euler has twice the energy, the n-th (1 + 1/n).
+TEST(EnergyWatch, ThatAFirstOrderMethodBeginsRoughlyIsNoWarning) {
+  Scene scene = empty_scene();
+  scene.model.gravity = 9.81;
+  scene.disc = {disc({0, 0}, radius)};
+  const WatchedRun r = watched(scene, "symplectic_euler", 1e-3, 0.199);
+  EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  EXPECT_EQ(r.warnings, std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace furrow
