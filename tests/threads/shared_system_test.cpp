@@ -13,7 +13,8 @@ namespace {
 using namespace test;
 
 class SharedSystem : public testing::TestWithParam<SolverKind> {};
-INSTANTIATE_TEST_SUITE_P(Solvers, SharedSystem, testing::Values(SolverKind::kernel, SolverKind::reference));
+INSTANTIATE_TEST_SUITE_P(Solvers, SharedSystem, testing::Values(SolverKind::kernel, SolverKind::reference),
+                         [](const auto& of) { return of.param == SolverKind::kernel ? "kernel" : "reference"; });
 
 // States far apart, so that each asks for neighbour lists of its own.
 std::vector<State> states_of(const Scene& scene) {

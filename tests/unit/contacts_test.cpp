@@ -184,7 +184,8 @@ class Contacts : public testing::TestWithParam<MomentArm> {
   NodeMotion nodes;
   int wound = 0;
 };
-INSTANTIATE_TEST_SUITE_P(MomentArms, Contacts, testing::Values(MomentArm::contact_point, MomentArm::radius));
+INSTANTIATE_TEST_SUITE_P(MomentArms, Contacts, testing::Values(MomentArm::contact_point, MomentArm::radius),
+                         [](const auto& of) { return of.param == MomentArm::radius ? "radius" : "contact_point"; });
 
 TEST_P(Contacts, AreWhatTheModelSaysAndNoneIsMissing) {
   std::map<ContactKind, int> seen;

@@ -26,7 +26,7 @@ TEST(EnergyWatch, ARunOfFewStepsEndsWhereItHasMadeItsEnergy) {
 TEST(EnergyWatch, ThatAFirstOrderMethodBeginsRoughlyIsNoWarning) {
   Scene scene = empty_scene();
   scene.model.gravity = 9.81;
-  scene.disc = {disc({0, 0}, radius)};
+  scene.disc = {disc({0, 0}, 0.1)};
   const WatchedRun r = watched(scene, "symplectic_euler", 1e-3, 0.199);
   EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
   EXPECT_EQ(r.warnings, std::vector<std::string>{});

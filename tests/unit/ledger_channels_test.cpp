@@ -61,7 +61,10 @@ struct Touching {
 };
 
 class EachPartner : public testing::TestWithParam<Partner> {};
-INSTANTIATE_TEST_SUITE_P(Ledger, EachPartner, testing::Values(Partner::wall, Partner::plate, Partner::disc));
+INSTANTIATE_TEST_SUITE_P(Ledger, EachPartner, testing::Values(Partner::wall, Partner::plate, Partner::disc),
+                         [](const auto& of) {
+                           return of.param == Partner::wall ? "wall" : of.param == Partner::plate ? "plate" : "disc";
+                         });
 
 TEST_P(EachPartner, NormalDampingTakesItsForceTimesTheSpeed) {
   for (const double speed : {0.3, -0.05}) {
