@@ -25,9 +25,11 @@ struct Table {
 
   std::vector<std::string>& add(auto... numbers) { return rows.emplace_back(std::vector{number(numbers)...}); }
 
-  void write(const std::string& name) const {
+  // Adds what the two files hold to `written`.
+  void write(const std::string& name, std::vector<FileMark>& written) const {
     OutputFile csv(name + ".csv", joined(headings, ","));
     for (const auto& row : rows) csv << joined({row.begin(), row.begin() + std::ssize(headings)}, ",") << "\n";
+    written.push_back(csv.mark());
     csv.finish();
 
     const std::size_t corners = points.columns.size() / 2, count = corners * rows.size();
@@ -43,6 +45,7 @@ struct Table {
         << (data.empty() ? "" : element(corners == 1 ? "PointData" : "CellData", fields))
         << element(cells, in_vtk("connectivity", "Int64", 1, connectivity) + in_vtk("offsets", "Int64", 1, offsets))
         << "</Piece>\n</PolyData>\n</VTKFile>\n";
+    written.push_back(vtk.mark());
     vtk.finish();
   }
 
@@ -71,6 +74,17 @@ struct Table {
 std::string name_of(const std::string& kind, std::size_t frame) {
   const std::string digits = std::to_string(frame);
   return kind + '_' + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+// In the order in which they are written.
+std::vector<std::string> pictures_of(std::size_t frames) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < frames; ++k) {
+    for (const char* kind : {"discs", "links", "plates", "contacts"}) {
+      for (const char* ending : {".csv", ".vtp"}) all.push_back("frames/" + name_of(kind, k) + ending);
+    }
+  }
+  return all;
 }
 
 Table discs_of(const System& system, double t, const State& y) {
@@ -162,6 +176,18 @@ void Frames::Memory::history(HistoryVisitor& visit) {
   visit("frames", count);
   list.history(visit, "frames.csv");
   pvd.history(visit, "run.pvd");
+  visit.list("pictures", pictures, [&](FileMark& one) { one.history(visit, "a picture"); });
+}
+
+void Frames::Memory::require(const std::filesystem::path& directory) const {
+  OutputFile::require(directory / "run.pvd", pvd);
+  OutputFile::require(directory / "frames/frames.csv", list);
+  const std::vector<std::string> names = pictures_of(count);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::filesystem::path file = directory / names[k];
+    if (!std::filesystem::exists(file)) throw FileError("cannot go on with the run: there is no " + file.string());
+    OutputFile::require(file, pictures.at(k));
+  }
 }
 
 Frames::Frames(const std::filesystem::path& directory, const Memory* kept)
@@ -170,13 +196,14 @@ Frames::Frames(const std::filesystem::path& directory, const Memory* kept)
       pvd_(OutputFile::begun(directory / "run.pvd",
                              "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>",
                              kept ? &kept->pvd : nullptr)),
-      count_(kept ? kept->count : 0) {}
+      count_(kept ? kept->count : 0),
+      pictures_(kept ? kept->pictures : std::vector<FileMark>{}) {}
 
 void Frames::add(const System& system, double t, double displacement, const State& y) {
   int part = 0;
   const auto write = [&](const std::string& kind, const Table& table) {
     const std::string name = name_of(kind, count_);
-    table.write((directory_ / name).string());
+    table.write((directory_ / name).string(), pictures_);
     pvd_ << "<DataSet timestep=\"" << t << "\" part=\"" << part++ << "\" name=\"" << kind << "\" file=\"frames/" << name
          << ".vtp\"/>\n";
   };
@@ -195,12 +222,8 @@ void Frames::close(bool complete) {
 }
 
 std::vector<std::string> Frames::files(std::size_t frames) {
-  std::vector<std::string> all{"run.pvd", "frames/frames.csv"};
-  for (std::size_t k = 0; k < frames; ++k) {
-    for (const char* kind : {"discs", "links", "plates", "contacts"}) {
-      for (const char* ending : {".csv", ".vtp"}) all.push_back("frames/" + name_of(kind, k) + ending);
-    }
-  }
+  std::vector<std::string> all = pictures_of(frames);
+  all.insert(all.begin(), {"run.pvd", "frames/frames.csv"});
   return all;
 }
 

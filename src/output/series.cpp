@@ -45,15 +45,14 @@ void SeriesMemory::history(HistoryVisitor& visit) {
 }
 
 void SeriesMemory::require(const std::filesystem::path& directory, const Scene& scene) const {
-  const std::vector<std::pair<const char*, const FileMark*>> files{
-      {"plate_force.csv", &force}, {"wall_force.csv", &wall}, {"energy.csv", &energy},
-      {"motion.csv", &motion},     {"events.csv", &events},   {"frames/frames.csv", &frames.list},
-      {"run.pvd", &frames.pvd}};
+  const std::vector<std::pair<const char*, const FileMark*>> files{{"plate_force.csv", &force},
+                                                                   {"wall_force.csv", &wall},
+                                                                   {"energy.csv", &energy},
+                                                                   {"motion.csv", &motion},
+                                                                   {"events.csv", &events}};
   for (const auto& [name, mark] : files) OutputFile::require(directory / name, *mark);
   if (drives_nodes(scene)) OutputFile::require(directory / "drive_force.csv", drive);
-  for (const std::string& picture : Frames::files(frames.count))
-    if (!picture.ends_with("frames.csv") && picture != "run.pvd" && !std::filesystem::exists(directory / picture))
-      throw FileError("cannot go on with the run: there is no " + (directory / picture).string());
+  frames.require(directory);
 }
 
 Series::Series(const std::filesystem::path& directory, const Scene& scene, const SeriesMemory* kept)
