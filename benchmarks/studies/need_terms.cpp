@@ -1,6 +1,9 @@
 #include "benchmarks/studies/need_terms.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "system/parts.h"
 
 namespace furrow::benchmarks {
 namespace {
@@ -27,6 +30,22 @@ bool has_discs(const Scene& scene) { return has_bed(scene) || !scene.disc.empty(
 // Whether some contact slides: its law is chosen by the scene.
 bool rubs(const Scene& scene) {
   return scene.contact.friction > 0 && (has_discs(scene) || !scene.plate.empty() || !scene.wall.empty());
+}
+
+// m: of the packing, the first disc, or a node of the first lattice.
+double radius_of(const Scene& scene) {
+  return has_bed(scene)        ? scene.packing[0].radius_min
+         : !scene.disc.empty() ? scene.disc[0].radius
+                               : scene.lattice[0].contact_radius;
+}
+
+// Springs as stiff as Hertz's are between two of these that overlap by a tenth of a radius.
+void make_linear(Scene& scene) {
+  const ContactLaw law = make_parts(scene).law[0];
+  const double width = std::sqrt(radius_of(scene) / 2 * 0.1 * radius_of(scene));  // m, of the contact
+  scene.model.law = ForceLaw::linear;
+  scene.contact.normal_stiffness = 2 * law.modulus * width;
+  scene.contact.tangential_stiffness = 8 * law.shear_modulus * width;
 }
 
 std::function<Scene()> scene_of_case(const std::string& name) {
@@ -75,6 +94,7 @@ const std::vector<Term>& terms() {
        [](Scene& s) { s.model.slip_damping = false; }},
       {"what a spring holds after slip (the limit less the damper's force instead)", rubs,
        [](Scene& s) { s.model.after_slip = AfterSlip::less_viscous; }},
+      {"stiffness that grows with the overlap (a linear spring instead)", rubs, make_linear},
       {"unloading at a constant spring (Thornton's rescaling instead)", rubs,
        [](Scene& s) { s.model.law = ForceLaw::rescaled_mindlin; }},
       {"moment arm to the contact point (the whole radius instead)",
@@ -83,6 +103,13 @@ const std::vector<Term>& terms() {
       {"rolling friction that fades with the spin (a rolling spring instead)",
        [](const Scene& s) { return has_discs(s) && s.contact.rolling_friction > 0; },
        [](Scene& s) { s.model.rolling = Rolling::spring; }},
+      {"plates that start at full speed (in a tenth of the time instead)",
+       [](const Scene& s) {
+         return std::any_of(s.plate.begin(), s.plate.end(), [](const Plate& p) { return p.ramp == 0; });
+       },
+       [](Scene& s) {
+         for (Plate& p : s.plate) p.ramp = 0.1 * s.time.end;
+       }},
       {"gravity", [](const Scene& s) { return !has_bed(s) && s.model.gravity > 0; },
        [](Scene& s) { s.model.gravity = 0; }},
       {"energy ledger", [](const Scene& s) { return s.output.energy; }, [](Scene& s) { s.output.energy = false; }},
