@@ -86,6 +86,16 @@ class Page(unittest.TestCase):
         files = b.run("[...new Set([...document.querySelectorAll('a[href]')].map(a => a.getAttribute('href')).filter(h => !h.startsWith('#')))]")
         self.assertEqual([f for f in files if not (REPORT / f).exists()], [])
 
+    def test_a_link_to_a_section_leads_to_it_and_stays_there(self):
+        b = self.open()
+        for size in (WIDE, PHONE):
+            for section in ("scenario_3", "verification", "part_made"):
+                b = self.open(size)
+                b.open((REPORT / "index.html").as_uri() + "#" + section)
+                top = f"document.getElementById('{section}').getBoundingClientRect().top"
+                b.run("new Promise(f => setTimeout(f, 300))")
+                self.assertLess(abs(b.run(top)), 120, f"{section} at a width of {size[0]}")
+
     def test_what_can_be_cited_has_an_id(self):
         b = self.open()
         self.assertEqual(b.run("[...document.querySelectorAll('h2, h3, h4, main table, main figure')].filter(e => !e.id && !e.closest('section[id], details[id], .player')).map(e => e.outerHTML.slice(0, 80))"), [])

@@ -42,16 +42,6 @@ std::map<std::string, int> counts_of(const Json& engine) {
   return counts;
 }
 
-std::string count_words(const Json& engine) {
-  const auto counts = counts_of(engine);
-  std::string words;
-  for (const Sign& s : signs) {
-    if (counts.contains(s.verdict))
-      words += (words.empty() ? "" : ", ") + std::to_string(counts.at(s.verdict)) + " " + s.verdict;
-  }
-  return words;
-}
-
 std::string cell_of(const Json& said) {
   if (said.is_null()) return element("td", "");
   const std::string verdict = said.at(0);
@@ -133,11 +123,15 @@ std::string judged_in_short(const std::filesystem::path& file) {
   const Json kept = read_sealed(file);
   std::string words;
   for (const Json& engine : kept.at("engines")) {
-    if (!own(engine) && engine.value("foreign", false))
-      words +=
-          (words.empty() ? "" : "; ") + escaped(engine.at("engine").get<std::string>()) + ": " + count_words(engine);
+    if (own(engine) || !engine.value("foreign", false)) continue;
+    const auto counts = counts_of(engine);
+    const int right = counts.contains("right") ? counts.at("right") : 0;
+    words +=
+        (words.empty() ? "" : ", ") + escaped(engine.at("engine").get<std::string>()) + " " + std::to_string(right);
   }
-  return words.empty() ? words : "Of " + std::to_string(kept.at("cases").size()) + " verification cases " + words + ".";
+  return words.empty()
+             ? words
+             : "Right in verification cases, of " + std::to_string(kept.at("cases").size()) + ": " + words + ".";
 }
 
 std::string judgements_section(const std::filesystem::path& file, const std::string& number, Page& page) {

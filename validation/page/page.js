@@ -253,6 +253,11 @@
   }
 
   // ---- links to what is folded or not built yet ----
+  // What stands above a target is laid out, and grows, when it comes near: until the reader moves, the target stays.
+  let target = null;
+  const growing = new ResizeObserver(() => target?.scrollIntoView());
+  for (const section of all("main section")) growing.observe(section);
+  for (const move of ["wheel", "touchstart", "pointerdown", "keydown"]) addEventListener(move, () => { target = null; }, { passive: true });
   const reveal = async () => {
     const id = decodeURIComponent(location.hash.slice(1));
     if (!id) return;
@@ -264,8 +269,9 @@
         await fill(suite);
       }
     }
-    const target = document.getElementById(id);
+    target = document.getElementById(id);
     if (!target) return;
+    setTimeout(() => { target = null; }, 3000);
     for (let e = target; e; e = e.parentElement) if (e.tagName === "DETAILS") e.open = true;
     target.scrollIntoView();
   };

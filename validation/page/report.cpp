@@ -92,7 +92,8 @@ std::string missing_part(const Evidence& evidence) {
   std::string lines;
   for (const std::string& why : missing_evidence(evidence)) lines += element("li", escaped(why));
   return lines.empty() ? lines
-                       : element("section", element("h2", "What is missing here") + element("ul", lines, "missing"));
+                       : "<section id=\"missing\">" + element("h2", "What is missing here") +
+                             element("ul", lines, "missing") + "</section>";
 }
 
 // A table of all methods, to stand before their names are used.

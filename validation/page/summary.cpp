@@ -23,8 +23,9 @@ std::string grouped(std::size_t n) {
 std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>& runs) {
   const Verdict v = verdict_of(evidence);
   const auto ended = std::count_if(runs.begin(), runs.end(), [](const RunRecord& run) { return run.finished(); });
-  const bool good = v.checks > 0 && v.failed == 0 && v.noticed == v.faults && ended == std::ssize(runs) &&
-                    missing_evidence(evidence).empty();
+  const std::size_t missing_parts = missing_evidence(evidence).size();
+  const bool good =
+      v.checks > 0 && v.failed == 0 && v.noticed == v.faults && ended == std::ssize(runs) && missing_parts == 0;
   std::string words = v.checks == 0 ? "<strong>No checks here.</strong>"
                                     : "<strong>" + grouped(v.checks) + " checks of " + grouped(v.requirements) +
                                           " requirements: " + grouped(v.failed) + " failed.</strong>";
@@ -34,6 +35,9 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
   if (const std::string edits = mutants_in_short(evidence.mutants); !edits.empty())
     words += " Tests notice " + edits + ".";
   words += " " + std::to_string(ended) + " of " + std::to_string(runs.size()) + " scenes came to their end.";
+  if (missing_parts > 0)
+    words += " <a href=\"#missing\">" + std::to_string(missing_parts) +
+             (missing_parts == 1 ? " part is missing" : " parts are missing") + "</a> on this page.";
   return "<p id=\"verdict\" class=\"verdict " + std::string(good ? "good" : "bad") + "\"><span class=\"chip " +
          (good ? "good\">✓ good" : "bad\">✗ not good") + "</span> " + words + "</p>\n";
 }
