@@ -126,8 +126,8 @@ std::string judged_in_short(const std::filesystem::path& file) {
     if (own(engine) || !engine.value("foreign", false)) continue;
     const auto counts = counts_of(engine);
     const int right = counts.contains("right") ? counts.at("right") : 0;
-    words +=
-        (words.empty() ? "" : ", ") + escaped(engine.at("engine").get<std::string>()) + " " + std::to_string(right);
+    const std::string name = engine.at("engine");  // and its version
+    words += (words.empty() ? "" : ", ") + escaped(name.substr(0, name.find(' '))) + " " + std::to_string(right);
   }
   return words.empty()
              ? words
