@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "system/ode.h"
 #include "verification/engines/furrow_engine.h"
 
 namespace furrow::test {
@@ -67,12 +68,40 @@ TEST(Requests, WrongTypesAndMissingKeysAreSaidInWordsOfTheProtocol) {
       "hertz_wall", [](Json& c) { c["needs"] = {1}; }, "needs[0] must be a text, not 1");
   expect_fault(
       "hertz_wall", [](Json& c) { c.erase("wall"); }, "wall is missing");
+  for (const Json& wrong : {Json::array({1, 2, 3}), Json("x"), Json()})
+    expect_fault(
+        "spring", [&](Json& c) { c["spring"][0]["stiffness"] = wrong; }, "spring[0].stiffness must be a number, not ");
 }
 
 TEST(Requests, OfEveryCaseFollowTheProtocol) {
   for (const std::string& name : verification::case_names())
     EXPECT_NO_THROW(verification::lacking(verification::request_of(verification::case_named(name), 100)["case"]))
         << name;
+}
+
+// A case says some things twice, for engines with lattices and for others: what a scene cannot say is not passed over.
+TEST(Requests, WhatASceneCannotSayIsNotPassedOver) {
+  const auto lacking = [](const std::string& name, const std::function<void(Json&)>& change) {
+    Json c = verification::request_of(verification::case_named(name), 100)["case"];
+    change(c);
+    return verification::lacking(c);
+  };
+  EXPECT_EQ(lacking("hertz_wall", [](Json& c) { c["body"][0]["load"] = {0, 3000}; }), "a load on a disc");
+  EXPECT_EQ(lacking("hertz_wall", [](Json& c) { c["body"][0]["fixed"] = true; }), "a disc that is held");
+  const std::string other = " other than its lattices and materials say";
+  EXPECT_EQ(lacking("hertz_wall", [](Json& c) { c["pair"][0]["modulus"] = 2 * c["pair"][0]["modulus"].get<double>(); }),
+            "pair[0].modulus" + other);
+  EXPECT_EQ(lacking("cantilever", [](Json& c) { c["spring"][3]["stiffness"] = 1.0; }), "spring[3].stiffness" + other);
+  EXPECT_EQ(lacking("cantilever", [](Json& c) { c["spring"][3]["strength"] = 1.0; }), "spring[3].strength" + other);
+  EXPECT_EQ(lacking("cantilever", [](Json& c) { c["body"][4]["load"] = {0, 1}; }), "body[4].load[1]" + other);
+  EXPECT_EQ(lacking("cantilever", [](Json& c) { c["spring"].erase(0); }), "spring" + other);
+  EXPECT_EQ(lacking("cantilever", [](Json&) {}), "");
+}
+
+TEST(Requests, ARunThatDivergesIsADivergence) {
+  Json request = verification::request_of(verification::case_named("spring"), 100);
+  request["step"] = 1e6 * request["step"].get<double>();
+  EXPECT_THROW(verification::furrow_answer(request, "verlet"), Divergence);
 }
 
 }  // namespace

@@ -218,6 +218,17 @@ Json case_from(std::string_view text, const std::string& name) {
   }
 }
 
+Json made_of_lattices(Json c) {
+  Json discs = Json::array();
+  for (const Json& body : c["body"]) {
+    if (body["radius"] > 0.0) discs.push_back(body);
+  }
+  c["body"] = discs;
+  for (const char* list : {"spring", "edge", "pair"}) c[list] = Json::array();
+  write_out(c);
+  return c;
+}
+
 const std::vector<std::string>& case_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;

@@ -19,6 +19,9 @@ Json case_from(std::string_view text, const std::string& name);
 // As its file has it, nothing worked out.
 Json plain_case_from(std::string_view text, const std::string& name);
 
+// The same, its point masses, springs, edges and pairs made anew from its lattices and materials.
+Json made_of_lattices(Json c);
+
 const std::vector<std::string>& case_names();  // sorted
 Json case_named(const std::string& name);      // throws std::invalid_argument with the nearest name
 

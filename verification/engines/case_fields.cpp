@@ -110,6 +110,8 @@ void check_body(const Fields& body, Parts& parts) {
   const bool disc = body.number("radius", 0) > 0;
   for (const char* key : {"mass", "inertia", "spin"}) body.number(key);
   for (const char* key : {"position", "velocity"}) body.pair(key);
+  if (body.has("load")) body.pair("load");
+  if (body.has("fixed")) body.flag("fixed");
   if (disc) body.name("material", parts.material);
   if (!disc && body.number("inertia") > 0) refuse(body.at("inertia"), "must be 0: a point mass does not turn");
   if (!parts.body.insert(name).second) refuse(body.at("name"), "is given twice: " + in_quotes(name));
@@ -227,6 +229,14 @@ void require_fields(const Json& c) {
                                std::to_string(parts.point.size()) + " point masses");
   whole.each("spring", [&](const Fields& f) {
     for (const char* end : {"a", "b"}) f.name(end, parts.point);
+    for (const char* key : {"stiffness", "damping", "length"}) f.number(key, 0);
+    if (f.has("strength")) f.number("strength", 0);
+  });
+  whole.each("edge", [&](const Fields& f) {
+    for (const char* end : {"a", "b"}) f.name(end, parts.point);
+  });
+  whole.each("pair", [&](const Fields& f) {
+    for (const char* key : {"modulus", "shear_modulus"}) f.number(key, 0);
   });
   for (const Names* some : {&parts.disc, &parts.wall, &parts.plate, &parts.lattice})
     parts.pressed.insert(some->begin(), some->end());

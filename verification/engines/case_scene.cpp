@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "scene/wording.h"
 #include "verification/engines/case_fields.h"
 #include "verification/engines/furrow_engine.h"
 
@@ -86,6 +87,44 @@ void set_contact(Scene& scene, const Json& contact) {
   if (contact.contains("rolling_smoothing")) scene.model.rolling_smoothing = contact["rolling_smoothing"];
 }
 
+bool same(const Json& one, const Json& other) {
+  if (!one.is_number() || !other.is_number()) return one == other;
+  const double a = one, b = other;
+  return std::fabs(a - b) <= 1e-12 * std::max(std::fabs(a), std::fabs(b));
+}
+
+// The first of `of` that is not said by `made`, or not so: a path; empty if there is none.
+std::string differing(const Json& of, const Json& made, const std::string& path) {
+  if (of.is_array() && made.is_array() && of.size() != made.size()) return path;
+  if (of.is_array() && made.is_array()) {
+    for (std::size_t k = 0; k < of.size(); ++k)
+      if (const std::string found = differing(of[k], made[k], item(path, k)); !found.empty()) return found;
+    return {};
+  }
+  if (!of.is_object() || !made.is_object()) return same(of, made) ? "" : path;
+  for (const auto& [key, value] : of.items()) {
+    const std::string here = path + "." + key;
+    if (!made.contains(key)) return here;
+    if (const std::string found = differing(value, made[key], here); !found.empty()) return found;
+  }
+  return {};
+}
+
+// A scene has point masses, springs and edges of lattices alone, and no force on a disc but its weight.
+std::string beyond_a_scene(const Json& c) {
+  for (const Json& body : c["body"]) {
+    if (body["radius"] == 0.0) continue;
+    if (body.value("fixed", false)) return "a disc that is held";
+    if (body.contains("load") && (body["load"][0] != 0.0 || body["load"][1] != 0.0)) return "a load on a disc";
+  }
+  const Json made = made_of_lattices(c);
+  for (const char* list : {"body", "spring", "edge", "pair"}) {
+    const std::string path = differing(c.value(list, Json::array()), made[list], list);
+    if (!path.empty()) return path + " other than its lattices and materials say";
+  }
+  return {};
+}
+
 bool mixed(const Json& c) {
   std::set<bool> shapes;
   for (const Json& body : c["body"]) {
@@ -103,6 +142,7 @@ std::string lacking(const Json& c) {
   }
   require_fields(c);
   if (c["gravity"][0] != 0.0) return "gravity that is not along -y";
+  if (std::string beyond = beyond_a_scene(c); !beyond.empty()) return beyond;
   return mixed(c) ? "discs and spheres together" : "";
 }
 

@@ -149,7 +149,7 @@ Json furrow_answer(const Json& request, const std::string& method) {
                            observer.look(running.moment(t, now));
                            return true;
                          });
-  if (ran.ending != Ending::finished) throw std::runtime_error(ran.reason);
+  if (ran.ending != Ending::finished) throw Divergence(ran.reason);
   answer["order"] = integrator->info().order;
   answer["observables"] = observer.observables();
   return answer;
