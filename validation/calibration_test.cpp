@@ -241,6 +241,7 @@ TEST(Calibration, SaysWhatIsWrongWithAKey) {
       {"lattice[3].spacing=0.01:0.02", "there is no item 3"},
       {"lattice[0].damper=axial,ful", "did you mean \"full\"?"},
       {"lattice[0].damper=axial,axial", "names a value twice"},
+      {"time.method=pece,foo", "time.method=foo"},
       {"other:contact.friction=0.1:0.9", "there is no scene \"other\""},
       {"contact.friction,contact.friction=0.1:0.9", "is varied twice"}};
   for (const auto& [key, message] : wrong) {
@@ -258,7 +259,8 @@ TEST(Calibration, SaysWhatIsWrongWithTargets) {
       {"", "there is no [[target]]"},
       {"[[target]", "targets.toml:1"},
       {"[[target]]\nobservable = \"largest_forc\"\nvalue = 1.0\ntolerance = 1.0", "did you mean \"largest_force\"?"},
-      {"[[target]]\nobservable = \"largest_force\"\nvalue = 1.0", "tolerance must be above 0"},
+      {"[[target]]\nobservable = \"largest_force\"\nvalue = 1.0", "tolerance is missing"},
+      {"[[target]]\nobservable = \"largest_force\"\nvalue = 1.0\ntolerance = 0.0", "tolerance must be above 0, not 0"},
       {"[[target]]\nobservable = \"largest_force\"\ntolerance = 1.0", "value is missing"},
       {"[[target]]\nobservable = \"largest_force\"\nvalue = 1.0\ntolerance = 1.0\nwieght = 2.0",
        "did you mean \"weight\"?"},

@@ -168,7 +168,15 @@ OutputFile OutputFile::rewriting(const fs::path& file) {
 void OutputFile::require(const fs::path& file, const FileMark& mark) {
   const fs::path partial = partial_of(file);
   Fnv1a hash;
-  ::close(opened_at(is_regular(partial) || !is_regular(file) ? partial : file, O_RDONLY, mark, hash));
+  ::close(opened_at(is_regular(partial) ? partial : file, O_RDONLY, mark, hash));
+}
+
+void OutputFile::require_whole(const fs::path& file, const FileMark& mark) {
+  Fnv1a hash;
+  ::close(opened_at(file, O_RDONLY, mark, hash));
+  if (const std::uintmax_t bytes = fs::file_size(file); bytes != mark.bytes)
+    throw FileError("cannot go on with " + file.string() + ": it has " + std::to_string(bytes) + " bytes, not the " +
+                    std::to_string(mark.bytes) + " that the run wrote");
 }
 
 OutputFile OutputFile::reopened(const fs::path& file, const FileMark& mark) {

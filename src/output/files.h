@@ -57,6 +57,9 @@ class OutputFile {
   // Throws FileError unless it could be reopened at the mark; changes nothing.
   static void require(const std::filesystem::path& file, const FileMark& mark);
 
+  // Throws FileError unless the file is finished and of just these bytes.
+  static void require_whole(const std::filesystem::path& file, const FileMark& mark);
+
   // A new one with its headings, or reopened as it was at the mark.
   static OutputFile begun(const std::filesystem::path& file, std::string_view headings, const FileMark* mark) {
     if (mark) return reopened(file, *mark);

@@ -186,7 +186,7 @@ void Frames::Memory::require(const std::filesystem::path& directory) const {
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::filesystem::path file = directory / names[k];
     if (!std::filesystem::exists(file)) throw FileError("cannot go on with the run: there is no " + file.string());
-    OutputFile::require(file, pictures.at(k));
+    OutputFile::require_whole(file, pictures.at(k));
   }
 }
 

@@ -224,9 +224,14 @@ TEST_F(RefusedResume, WhereARowThatWasWrittenIsAnotherNow) {
     expect_refused("lattice.toml --until 0.2 --resume here", 4, "bytes are not those that the run wrote");
     put(file, good);
   }
+  const std::string picture = text("here/frames/links_000.csv");
+  put("here/frames/links_000.csv", picture + "1,2,3\n");
+  before_ = bits("here");
+  expect_refused("lattice.toml --until 0.2 --resume here", 4, "links_000.csv: it has ");
+  put("here/frames/links_000.csv", picture);
   fs::remove(directory_ / "here/motion.csv");
   before_ = bits("here");
-  expect_refused("lattice.toml --until 0.2 --resume here", 4, "motion.csv");
+  expect_refused("lattice.toml --until 0.2 --resume here", 4, "motion.csv: No such file");
 }
 
 TEST_F(RefusedResume, WhileTheRunIsAlive) {

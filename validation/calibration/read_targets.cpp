@@ -69,7 +69,7 @@ class Fields {
     if (!table.is_object()) fault("must be a table");
   }
   const Json* find(const std::string& key) {
-    known_.push_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
     return table_.is_object() && table_.contains(key) ? &table_.at(key) : nullptr;
   }
   std::string text(const std::string& key, const std::string& otherwise = "") {
@@ -84,7 +84,10 @@ class Fields {
   }
   double positive(const std::string& key, double otherwise) {
     const double value = number(key, otherwise);
-    if (!(value > 0) || !std::isfinite(value)) fault(key + " must be above 0, not " + shortest(value));
+    if (std::isnan(otherwise) && table_.is_object() && !table_.contains(key))
+      fault(key + " is missing");
+    else if (!(value > 0) || !std::isfinite(value))
+      fault(key + " must be above 0, not " + shortest(value));
     return value;
   }
   std::optional<std::array<double, 2>> pair(const std::string& key) {

@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "methods/method.h"
 #include "run/prepare.h"
 #include "scene/read.h"
 #include "scene/set_key.h"
@@ -82,8 +83,14 @@ void judge_value(const std::vector<VariedKey>& keys, const std::vector<Case>& ca
   setting[k] = value;
   for (const VariedKey::Path& path : keys[k].paths) judge_path(keys[k], path, value, cases);
   for (const Case& of : cases) {
-    for (const Problem& problem : problems_of(scene_with(of, keys, setting, 0)))
+    const Scene scene = scene_with(of, keys, setting, 0);
+    for (const Problem& problem : problems_of(scene))
       wrong(keys[k].name + "=" + value, of.name + ": " + problem.path + ": " + problem.message);
+    try {
+      make_method(scene.time.method);
+    } catch (const std::invalid_argument& unknown) {
+      wrong(keys[k].name + "=" + value, unknown.what());
+    }
   }
 }
 
