@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <set>
@@ -12,6 +13,7 @@
 #include "output/files.h"
 #include "output/machine.h"
 #include "report/seal.h"
+#include "scene/wording.h"
 
 namespace furrow {
 namespace {
@@ -43,9 +45,10 @@ bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
 }  // namespace
 
 double to_digits(double value, int digits) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-  return std::strtod(text.data(), nullptr);
+  if (!std::isfinite(value)) return value;
+  const std::string text = rounded(value, digits);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 std::string now_in_utc() {
