@@ -41,7 +41,9 @@ double radius_of(const Scene& scene) {
 
 // Springs as stiff as Hertz's are between two of these that overlap by a tenth of a radius.
 void make_linear(Scene& scene) {
-  const ContactLaw law = make_parts(scene).law[0];
+  Scene without_plates = scene;  // of a plate it is not known yet how deep it stands in the bed
+  without_plates.plate.clear();
+  const ContactLaw law = make_parts(without_plates).law[0];
   const double width = std::sqrt(radius_of(scene) / 2 * 0.1 * radius_of(scene));  // m, of the contact
   scene.model.law = ForceLaw::linear;
   scene.contact.normal_stiffness = 2 * law.modulus * width;
