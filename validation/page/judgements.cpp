@@ -125,13 +125,13 @@ std::string judged_in_short(const std::filesystem::path& file) {
   for (const Json& engine : kept.at("engines")) {
     if (own(engine) || !engine.value("foreign", false)) continue;
     const auto counts = counts_of(engine);
-    const int right = counts.contains("right") ? counts.at("right") : 0;
+    const auto number = [&](const char* verdict) { return counts.contains(verdict) ? counts.at(verdict) : 0; };
+    const auto can = static_cast<int>(kept.at("cases").size()) - number("cannot");
     const std::string name = engine.at("engine");  // and its version
-    words += (words.empty() ? "" : ", ") + escaped(name.substr(0, name.find(' '))) + " " + std::to_string(right);
+    words += (words.empty() ? "" : ", ") + escaped(name.substr(0, name.find(' '))) + " " +
+             std::to_string(number("right")) + " of " + std::to_string(can);
   }
-  return words.empty()
-             ? words
-             : "Right in verification cases, of " + std::to_string(kept.at("cases").size()) + ": " + words + ".";
+  return words.empty() ? words : "Right, of the verification cases that they can express: " + words + ".";
 }
 
 std::string judgements_section(const std::filesystem::path& file, const std::string& number, Page& page) {
@@ -151,6 +151,11 @@ std::string judgements_section(const std::filesystem::path& file, const std::str
                  "help. Cannot: the engine said so itself. Furrow is judged by each of its methods; the independent "
                  "engine shares nothing with it.",
                  "lead") +
+         element("p",
+                 "To judge an engine of your own: a program that takes a case as JSON on its standard input and prints "
+                 "what it saw as JSON. <code>furrow cases --protocol</code> says how on one page, with an example of "
+                 "twenty lines; <code>furrow judge --engine ./mine</code> then prints this table for it, and "
+                 "<code>furrow cases --json</code> all cases, to take away.") +
          counts(kept, page) + instead(kept, page) + "<details class=\"unfold\"><summary>All " +
          std::to_string(kept.at("cases").size()) + " cases by all engines</summary>" + matrix(kept, page) +
          "</details>\n" +

@@ -110,11 +110,12 @@ std::string listed(const std::vector<std::string>& all, std::size_t most) {
 
 std::string words_of(const Numbers& numbers, const Age& age) {
   std::set<std::string> machines;
-  for (const Maker& maker : numbers.makers()) machines.insert(maker.machine);
-  std::string words = std::to_string(age.results) + " results, made " + age.first.substr(0, 10) +
-                      (age.last.substr(0, 10) != age.first.substr(0, 10) ? " to " + age.last.substr(0, 10) : "") +
-                      " by commit " + listed(age.commits, 5) + " on " + listed({machines.begin(), machines.end()}, 3) +
-                      ". ";
+  for (const Maker& maker : numbers.makers())
+    machines.insert(maker.machine.empty() ? "no known machine" : maker.machine);
+  std::string words =
+      std::to_string(age.results) + " results, made " + (age.first.empty() ? "some day" : age.first.substr(0, 10)) +
+      (age.last.substr(0, 10) != age.first.substr(0, 10) ? " to " + age.last.substr(0, 10) : "") + " by commit " +
+      listed(age.commits, 5) + " on " + listed({machines.begin(), machines.end()}, 3) + ". ";
   if (age.old == 0) return words + "All are of today's solver.";
   return words + std::to_string(age.old) +
          " of them were made before these sources changed: " + listed(age.changed, 8) + ".";
@@ -134,16 +135,18 @@ std::string claims_of(const StudyResult& result) {
   std::string rows;
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const ordered_json& claim = claims[k];
-    const bool holds = holds_today(claim, result.old_times);
+    const bool holds = holds_today(claim, result.old_times), waits = !holds && claim.at("holds").get<bool>();
     std::string words = claim.value("value", "").empty() ? "" : element("strong", text(claim, "value"));
     if (!claim.value("aim", "").empty()) words += " (aim: " + text(claim, "aim") + ")";
     words += (words.empty() ? "" : ": ") + text(claim, "text");
-    const std::string mark = !holds && claim.at("holds").get<bool>()
-                                 ? "<span class=\"chip none\">times older than the solver</span> "
+    const std::string mark = waits   ? "<span class=\"chip none\">times older than the solver</span> "
                              : holds ? "<span class=\"chip good\">✓ holds</span> "
                                      : "<span class=\"chip bad\">✗ does not hold</span> ";
-    rows +=
-        "<li id=\"" + id_of_claim(result, k) + "\"" + (holds ? ">" : " class=\"refuted\">") + mark + words + "</li>\n";
+    rows += "<li id=\"" + id_of_claim(result, k) + "\"" +
+            (holds   ? ">"
+             : waits ? " class=\"waits\">"
+                     : " class=\"refuted\">") +
+            mark + words + "</li>\n";
   }
   return rows.empty() ? rows : element("ul", rows, "claims");
 }

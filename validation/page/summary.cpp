@@ -20,7 +20,17 @@ std::string grouped(std::size_t n) {
   return digits;
 }
 
-std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>& runs) {
+// Of the page's own: those that hold, of how many.
+std::string claims_in_short(const std::vector<StudyResult>& studies) {
+  std::size_t all = 0, refuted = 0;
+  for (const StudyResult& study : studies) all += claims_in(study), refuted += refuted_claims(study).size();
+  if (all == 0) return {};
+  return " <a href=\"#failing\">" + std::to_string(all - refuted) + " of this page's own " + std::to_string(all) +
+         " claims hold</a>.";
+}
+
+std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>& runs,
+                         const std::vector<StudyResult>& studies) {
   const Verdict v = verdict_of(evidence);
   const auto ended = std::count_if(runs.begin(), runs.end(), [](const RunRecord& run) { return run.finished(); });
   const std::size_t missing_parts = missing_evidence(evidence).size();
@@ -35,6 +45,7 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
   if (const std::string edits = mutants_in_short(evidence.mutants); !edits.empty())
     words += " Tests notice " + edits + ".";
   words += " " + std::to_string(ended) + " of " + std::to_string(runs.size()) + " scenes came to their end.";
+  words += claims_in_short(studies);
   if (missing_parts > 0)
     words += " <a href=\"#missing\">" + std::to_string(missing_parts) +
              (missing_parts == 1 ? " part is missing" : " parts are missing") + "</a> on this page.";
@@ -64,7 +75,8 @@ void take_headlines(const std::vector<StudyResult>& studies, std::vector<Tile>& 
           std::find_if(tiles.begin(), tiles.end(), [&](const Tile& t) { return t.id == headline.at("tile"); });
       if (tile == tiles.end()) continue;
       const std::string value = typeset(escaped(headline.at("value").get<std::string>())),
-                        words = typeset(escaped(headline.at("text").get<std::string>()));
+                        words = typeset(escaped(headline.at("text").get<std::string>())) +
+                                (study.old_times ? " Older than the solver." : "");
       if (tile->value.empty())
         tile->value = value, tile->text = words;
       else
@@ -155,7 +167,8 @@ std::string makers_of(const StudyResult& study) {
 std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence,
                     const std::vector<StudyResult>& studies, Page& page) {
   return made_line(evidence) + "<h1>A plate through soil and stem: what of it can be trusted</h1>\n" +
-         verdict_line(evidence, runs) + finding(studies, page) + tiles_of(evidence, studies) + failing(studies);
+         verdict_line(evidence, runs, studies) + finding(studies, page) + tiles_of(evidence, studies) +
+         failing(studies);
 }
 
 std::string ages(const std::vector<StudyResult>& studies, Page& page) {

@@ -76,6 +76,13 @@ std::string percent(double share) {
   return text;
 }
 
+// Beyond the last point of the boundary, where damping alone counts, the limit falls as 1/zeta: the dotted line.
+bool outside(const AtlasEntry& e, const OperatingPoint& point) {
+  if (e.boundary.empty()) return false;
+  const auto& [zeta, limit] = e.boundary.back();
+  return point.angle > (point.zeta <= zeta ? e.limit_at(point.zeta) : limit * zeta / point.zeta);
+}
+
 // What the figure shows, from the numbers.
 std::string conclusion(const std::vector<AtlasEntry>& atlas, const std::vector<StandingScene>& scenes) {
   const auto widest = [&](double zeta) {
@@ -96,8 +103,7 @@ std::string conclusion(const std::vector<AtlasEntry>& atlas, const std::vector<S
   const auto paper = std::find_if(atlas.begin(), atlas.end(), [](const AtlasEntry& e) {
     return std::find(e.methods.begin(), e.methods.end(), "pece") != e.methods.end();
   });
-  for (const StandingScene& s : scenes)
-    beyond += paper != atlas.end() && s.point.angle > paper->limit_at(s.point.zeta) ? 1 : 0;
+  for (const StandingScene& s : scenes) beyond += paper != atlas.end() && outside(*paper, s.point) ? 1 : 0;
   if (!scenes.empty())
     text += " Of the paper's scenes at its step, each by its fastest part with the neighbours held, " +
             std::to_string(beyond) + " of " + std::to_string(scenes.size()) + " stand outside the region of pece.";

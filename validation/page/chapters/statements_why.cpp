@@ -40,8 +40,8 @@ std::string decided(const Statement& s, const Sample& sample) {
   }
   if (2 * sample.numbers.size() < members) return "it does not happen in most runs";
   const double off = sample.quantile(0.5) - s.value;
-  return "the median is " + percent(std::fabs(off / s.value)) + (off > 0 ? " above" : " below") +
-         ", a tenth would do, or to lie among the packings";
+  return "the median is " + percent(std::fabs(off / s.value)) + (off > 0 ? " above" : " below") + ", a tenth would do" +
+         (sample.numbers.size() >= 20 ? ", or to lie among the packings" : "");
 }
 
 void join(std::string& list, const std::string& words) {

@@ -128,11 +128,12 @@ void add_headline(Report& report, const std::vector<Found>& all) {
     shares += (shares.empty() ? "" : ", ") + shown(100 * best.cost / paper->evaluations) + " % (" + best.method + ")";
   }
   if (!errors.empty())
-    report.headline(
-        {.tile = "accurate",
-         .value = errors,
-         .text = "error of the force curve at the paper's setting, scenes 1, 2 and 3. The best method needs for it " +
-                 shares + " of the evaluations."});
+    report.headline({.tile = "accurate",
+                     .value = errors,
+                     .text = "error of the force curve at the paper's setting: scene 1, then 0.1 s of scenes 2 and 3, "
+                             "which are chaotic. "
+                             "The best method needs for it " +
+                             shares + " of the evaluations."});
 }
 
 }  // namespace
