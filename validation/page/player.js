@@ -215,7 +215,10 @@
     }
     c.textAlign = "center";
     const dx = nice(end, narrow ? 4 : 9);
-    for (let at = 0; at <= end * 1.0001; at += dx) c.fillText(+at.toPrecision(4), px(at), height - 16);
+    for (let at = 0; at <= end * 1.0001; at += dx) {
+      const text = String(+at.toPrecision(4));  // the last one stays within the canvas
+      c.fillText(text, Math.min(px(at), width - c.measureText(text).width / 2 - 1), height - 16);
+    }
     c.fillText(films[0].axis === "mm" ? "displacement of the " + films[0].tool + " [mm]" : "time [ms]", (left + width - right) / 2, height - 3);
     c.textAlign = "left";
     c.fillText("F [N]", 2, 11);
