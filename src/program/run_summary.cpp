@@ -52,7 +52,7 @@ std::string run_summary(const std::string& json, const std::filesystem::path& di
   text += force_line(run) + "\n";
   text += "links torn " + std::to_string(rows_in(directory / "events.csv")) +
           watch(run, "overlap", "greatest overlap", 1, " R") +
-          watch(run, "energy_made", "energy made by the method", 100, " % of what was given") +
+          watch(run, "energy_made", "energy made by method or law", 100, " % of what was given") +
           watch(run, "step", "step", 1, " of the largest stable one") + "\n";
   text += "files in " + place + (replaced ? ", in place of those of an earlier run" : "") + "; furrow view " + place +
           " plays it, --json prints run.json\n";

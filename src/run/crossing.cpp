@@ -22,26 +22,10 @@ std::string lattice_name(const System& system, int lattice) {
 
 namespace {
 
-struct Path {
-  Vec2 from, to;  // m
-};
-
-// m, from the middle of a rectangle or node to a point.
-Vec2 from_middle(const System& system, int plate, double t, Vec2 at) {
-  const PlatePart& p = system.parts().plate[plate];
-  const PlateAt now = system.plate_at(plate, t);
-  return {at.x - (now.left + 0.5 * p.width), at.y - (now.lower + 0.5 * p.height)};
-}
-
-Vec2 place(const System& system, const State& y, int body) { return {y[system.x_of(body)], y[system.y_of(body)]}; }
-
-Path path_from_plate(const System& system, const Step& s, int plate, int body) {
-  return {from_middle(system, plate, s.t - s.h, place(system, s.before, body)),
-          from_middle(system, plate, s.t, place(system, s.after, body))};
-}
-
 // Twice the area of the triangle a, b, p: positive if p is to the left of a -> b.
 double side_of(Vec2 a, Vec2 b, Vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+
+}  // namespace
 
 bool crosses_segment(const System& system, const Step& s, const Path& point, int segment) {
   const BorderArrays& border = system.parts().border;
@@ -58,27 +42,11 @@ bool crosses_segment(const System& system, const Step& s, const Path& point, int
   return along >= 0 && along <= ux * ux + uy * uy;
 }
 
-// Whether the straight path meets the box |x| <= half_width, |y| <= half_height: clipped axis by axis.
-bool meets_box(const Path& path, double half_width, double half_height) {
-  double enters = 0, leaves = 1;
-  const auto clip = [&](double from, double to, double half) {
-    const double way = to - from;
-    if (way == 0) return std::fabs(from) <= half;
-    const double one = (-half - from) / way, other = (half - from) / way;
-    enters = std::max(enters, std::min(one, other));
-    leaves = std::min(leaves, std::max(one, other));
-    return true;
-  };
-  return clip(path.from.x, path.to.x, half_width) && clip(path.from.y, path.to.y, half_height) && enters <= leaves;
-}
+namespace {
 
 bool inside_box(Vec2 p, double half_width, double half_height) {
   return std::fabs(p.x) <= half_width && std::fabs(p.y) <= half_height;
 }
-
-}  // namespace
-
-namespace {
 
 // A body that the plate felt, or was about to, keeps its face.
 bool kept_face(const System& system, const ContactId& contact, Vec2 from) {
@@ -95,7 +63,7 @@ bool crosses_plate(const System& system, const Step& s, const ContactId& contact
   const Parts& parts = system.parts();
   const PlatePart& p = parts.plate[contact.b];
   const int body = of_disc(contact.kind) ? contact.a : parts.node.body[contact.a];
-  const Path path = path_from_plate(system, s, contact.b, body);
+  const Path path = path_from_plate(system, s, contact.b, path_of_body(system, s, body));
   const bool upright = p.width <= p.height;
   const double from = upright ? path.from.x : path.from.y, to = upright ? path.to.x : path.to.y;
   if ((from > 0) == (to > 0) || kept_face(system, contact, path.from)) return false;
@@ -115,7 +83,7 @@ bool share_a_node(const BorderArrays& border, int one, int other) {
 
 bool crosses_border(const System& system, const Step& s, const Survey::Near& near) {
   const BorderArrays& border = system.parts().border;
-  const Path path{place(system, s.before, near.contact.a), place(system, s.after, near.contact.a)};
+  const Path path = path_of_body(system, s, near.contact.a);
   const auto crosses = [&](int segment) {
     const bool there =
         segment >= 0 && segment < border.count() && border.lattice[segment] == border.lattice[near.segment];
@@ -242,7 +210,7 @@ ContactId stepped_over(const System& system, const Step& s) {
   for (int k = 0; k < static_cast<int>(parts.plate.size()); ++k) {
     const PlatePart& p = parts.plate[k];
     const auto over = [&](const ContactId& contact, int body, double radius) {
-      const Path path = path_from_plate(system, s, k, body);
+      const Path path = path_from_plate(system, s, k, path_of_body(system, s, body));
       const double width = 0.5 * p.width + radius, height = 0.5 * p.height + radius;
       if (inside_box(path.to, width, height)) return false;
       return inside_box(path.from, width, height) ? crosses_plate(system, s, contact)

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "run/step.h"
+#include "run/path.h"
 #include "system/survey.h"
 
 namespace furrow {
@@ -18,6 +18,9 @@ std::string lattice_name(const System& system, int lattice);
 // are kept, in a step that began too far away to be on one.
 bool crosses_plate(const System& system, const Step& step, const ContactId& contact);
 
+// Whether a point crossed the border segment while whole.
+bool crosses_segment(const System& system, const Step& s, const Path& point, int segment);
+
 // Whether disc `near.contact.a` crossed the border segment near.segment or one next to it, while whole.
 bool crosses_border(const System& system, const Step& step, const Survey::Near& near);
 
@@ -28,7 +31,7 @@ struct CrossingBorders {
 };
 CrossingBorders crossing_borders(const System& system, double t, const State& y);
 
-// Cells of which all four sides are whole and go round the wrong way.
+// Cells of which all four sides are whole and go round the wrong way or cross each other.
 CrossingBorders cells_inside_out(const System& system, double t, const State& y);
 
 // Nodes that crossed a border segment of another lattice in the step.

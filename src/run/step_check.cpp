@@ -10,6 +10,7 @@
 #include "kernel/wide.h"
 #include "physics/ramp.h"
 #include "run/crossing.h"
+#include "run/meeting.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -42,7 +43,6 @@ StepCheck::StepCheck(const System& system) : system_(system) {
   for (int n = 0; n < parts.node.count(); ++n) {
     if (parts.node.body[n] < 0) continue;
     size_.push_back(std::min(parts.node.spacing[n], least_radius_));
-    spacing_.push_back(parts.node.spacing[n]);
   }
   for (const PlatePart& p : parts.plate) {
     quarter_side_ = std::min({quarter_side_, p.width / 4, p.height / 4});
@@ -57,46 +57,33 @@ std::string StepCheck::complaint(const Step& step, int& body) const {
   in_ranges(system_.threads(), after.size(), [&](std::size_t first, std::size_t last) {
     if (!all_finite(after.data() + first, last - first)) finite = false;
   });
-  if (finite && (none_beyond_its_size(step) || none_beyond_what_it_may_meet(step))) {
-    const std::string driven = driven_too_far(step);
-    return driven.empty() ? over_a_plate(step, body) : driven;
+  if (!finite) return not_finite(step, body);
+  if (!within_its_size(step) || !driven_within_a_disc(step)) {
+    const Unseen unseen = unseen_meeting(system_, step);
+    body = unseen.body;
+    if (!unseen.what.empty()) return unseen.what;
   }
-  return too_far(step, finite, body);
+  return over_a_plate(step, body);
 }
 
-std::string StepCheck::too_far(const Step& step, bool finite, int& body) const {
-  Sentence text;
-  for (std::size_t i = 0; i < size_.size(); ++i) {
-    const double moved = distance(step, i);
-    if (moved <= size_[i] || (finite && meets_no_disc(step, i))) continue;
+std::string StepCheck::not_finite(const Step& step, int& body) const {
+  const std::size_t bodies = size_.size();
+  for (std::size_t i = 0; i < bodies; ++i) {
+    if (std::isfinite(step.after[i]) && std::isfinite(step.after[bodies + i])) continue;
     body = static_cast<int>(i);
-    text << system_.parts().body_name(body);
-    if (std::isfinite(moved)) {
-      const bool by_disc = i >= system_.parts().disc.radius.size() && size_[i] == least_radius_;
-      text << " moved " << moved << " m in one step of " << step.h << " s, more than "
-           << (by_disc ? "the radius of the smallest disc, " : "its size of ") << size_[i] << " m";
-    } else {
-      text << " has a position that is not finite";
-    }
-    return text.str();
+    return system_.parts().body_name(body) + " has a position that is not finite";
   }
-  text << "a velocity or tangential spring is not finite";
-  return text.str();
+  return "a velocity or tangential spring is not finite";
 }
 
-// Driven nodes are no bodies: further than the radius of the smallest disc in a step they pass discs unseen.
-std::string StepCheck::driven_too_far(const Step& step) const {
-  if (system_.solver().preparing()) return {};
-  for (const DrivePart& d : system_.parts().drive) {
+// Driven nodes are no bodies.
+bool StepCheck::driven_within_a_disc(const Step& step) const {
+  if (system_.solver().preparing()) return true;
+  const std::vector<DrivePart>& drives = system_.parts().drive;
+  return std::all_of(drives.begin(), drives.end(), [&](const DrivePart& d) {
     const double time = ramped(step.t, d.ramp).time - ramped(step.t - step.h, d.ramp).time;
-    const double moved = std::hypot(d.vx, d.vy) * time;
-    if (!(moved > least_radius_)) continue;
-    Sentence text;
-    text << "the driven nodes of lattice " << d.lattice << " moved " << moved << " m in one step of " << step.h
-         << " s, more than the radius of the smallest disc, " << least_radius_ << " m";
-    return text.str();
-  }
-  return {};
+    return std::hypot(d.vx, d.vy) * time <= least_radius_;
+  });
 }
 
 // If plates and bodies move by less than a quarter of a plate's smaller side in a step, no plate skips a body.
@@ -115,35 +102,7 @@ std::string StepCheck::over_a_plate(const Step& step, int& body) const {
   return text.str();
 }
 
-bool StepCheck::none_beyond_what_it_may_meet(const Step& step) const {
-  for (std::size_t i = 0; i < size_.size(); ++i) {
-    if (distance(step, i) > size_[i] && !meets_no_disc(step, i)) return false;
-  }
-  return true;
-}
-
-double StepCheck::distance(const Step& step, std::size_t i) const {
-  const std::size_t bodies = size_.size();
-  return std::hypot(step.after[i] - step.before[i], step.after[bodies + i] - step.before[bodies + i]);
-}
-
-// Whether a node has moved by less than its spacing, with no disc within a spacing of its way.
-bool StepCheck::meets_no_disc(const Step& step, std::size_t i) const {
-  const std::size_t bodies = size_.size(), discs = system_.parts().disc.radius.size();
-  if (i < discs || distance(step, i) > spacing_[i - discs]) return false;
-  const auto apart = [&](std::size_t axis, std::size_t d) {
-    const auto [low, high] = std::minmax(step.before[axis + i], step.after[axis + i]);
-    const auto [from, to] = std::minmax(step.before[axis + d], step.after[axis + d]);
-    const double reach = system_.parts().disc.radius[d] + spacing_[i - discs];
-    return from > high + reach || to < low - reach;
-  };
-  for (std::size_t d = 0; d < discs; ++d) {
-    if (!apart(0, d) && !apart(bodies, d)) return false;
-  }
-  return true;
-}
-
-bool StepCheck::none_beyond_its_size(const Step& step) const {
+bool StepCheck::within_its_size(const Step& step) const {
   if (step.motion.moved_squared <= least_size_ * least_size_) return true;
   std::atomic<bool> all = true;
   const std::size_t bodies = size_.size();

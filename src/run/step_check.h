@@ -8,8 +8,8 @@
 
 namespace furrow {
 
-// A body that moves further than its size in a step, or a node further than the radius of the smallest disc where a disc
-// is near, passes contacts unseen: the step is too long, or the run has blown up.
+// What moves further than its size in a step passes contacts unseen, if there is something to meet: the step is too
+// long, or the run has blown up.
 class StepCheck {
  public:
   explicit StepCheck(const System& system);
@@ -18,17 +18,13 @@ class StepCheck {
   std::string complaint(const Step& step, int& body) const;
 
  private:
-  std::string too_far(const Step& step, bool finite, int& body) const;
-  std::string driven_too_far(const Step& step) const;
+  std::string not_finite(const Step& step, int& body) const;
   std::string over_a_plate(const Step& step, int& body) const;
-  bool none_beyond_its_size(const Step& step) const;
-  bool none_beyond_what_it_may_meet(const Step& step) const;
-  bool meets_no_disc(const Step& step, std::size_t i) const;
-  double distance(const Step& step, std::size_t i) const;
+  bool within_its_size(const Step& step) const;
+  bool driven_within_a_disc(const Step& step) const;
 
   const System& system_;
-  std::vector<double> size_;        // m, by body: how far it may move where it may meet anything
-  std::vector<double> spacing_;     // m, of the lattice of each body that is a node
+  std::vector<double> size_;        // m, by body: how far it may move whatever is near
   double quarter_side_ = infinity;  // m, a quarter of the smallest side of a plate
   double least_size_ = infinity;    // m
   double plate_speed_ = 0;          // m/s, of the fastest

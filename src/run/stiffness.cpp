@@ -154,6 +154,7 @@ namespace {
 struct Striker {
   double radius, mass;
   int material;
+  bool alone = true;  // the only one of its material
 };
 
 // Of those of one material the one that goes least deep: d^(5/2) goes with m / sqrt(R).
@@ -162,6 +163,7 @@ void keep_lightest(std::vector<Striker>& kept, const Striker& one) {
   for (Striker& other : kept) {
     if (other.material != one.material) continue;
     if (depth(one) < depth(other)) other = one;
+    other.alone = false;
     return;
   }
   kept.push_back(one);
@@ -188,8 +190,10 @@ Oscillator stiffest_impact(const Parts& parts, double speed) {
     for (const PlatePart& p : parts.plate) meet(s.material, p.material, s.radius, s.mass);
   };
   for (const Striker& a : discs) {
-    for (const Striker& b : discs)
+    for (const Striker& b : discs) {
+      if (&a == &b && a.alone) continue;
       meet(a.material, b.material, a.radius * b.radius / (a.radius + b.radius), a.mass * b.mass / (a.mass + b.mass));
+    }
     for (const Striker& n : nodes) meet(a.material, n.material, a.radius, a.mass * n.mass / (a.mass + n.mass));
     meet_flat(a);
   }

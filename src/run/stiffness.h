@@ -28,7 +28,8 @@ StiffPart stiffest_part(const System& system, double t, const State& y);
 StiffPart stiffest_bond(const System& system, double t, const State& y, int body);
 
 // The stiffest contact that two parts of the scene make when they meet at this speed (m/s), elastic and head-on: the
-// lightest disc of each material with each other, with walls, plates and nodes; nodes with plates and walls.
+// lightest disc of each material with each other (with itself only if there are more), with walls, plates and nodes;
+// nodes with plates and walls. Zero if no two can meet.
 // omega = sqrt(15/8) v / d at the greatest overlap d; the damping ratio is the same at any overlap.
 Oscillator stiffest_impact(const Parts& parts, double speed);
 

@@ -24,7 +24,7 @@ struct Rule {
   const char *before, *after;  // what a message says around the number
 };
 constexpr std::array<Rule, watch_kinds> rules{{
-    {WatchKind::energy_made, "energy_made", 0.01, 0.1, "the method has made ",
+    {WatchKind::energy_made, "energy_made", 0.01, 0.1, "the method or a law has made ",
      " of the energy that the scene was given"},
     {WatchKind::energy_lost, "energy_lost", 0.01, 1, "the method has lost ", " of the energy that the scene was given"},
     {WatchKind::overlap, "overlap", 0.1, 1, "the overlap is ", " of the smaller radius"},
@@ -104,6 +104,7 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
   const Parts& parts = system.parts();
   extremes_.plate.resize(parts.plate.size());
   for (const PlatePart& p : parts.plate) plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
+  for (const double spacing : parts.node.spacing) least_spacing_ = std::min(least_spacing_, spacing);
   stiffest_->floor.add(parts);
 }
 
@@ -114,10 +115,12 @@ void Validity::history(HistoryVisitor& visit) {
   visit("started", started_);
   start_.history(visit);
   visit("supplied", supplied_);
+  visit("most lost", most_lost_);
   visit("plate power", plate_power_);
   visit("since booked", since_booked_);
   visit("begun", begun_);
   visit("since crossed", since_crossed_);
+  visit("way since crossed", way_since_crossed_);
   visit("passed", passed_);
   visit("stepped overlap", stepped_overlap_);
   visit("stepped contacts", stepped_contacts_);
@@ -225,7 +228,10 @@ void Validity::look_at_borders(const Step& step) {
     passed_ += now.pairs;
     look(WatchKind::crossing_lattices, step.t, passed_, [&] { return now.where; });
   }
-  if ((since_crossed_++ % borders_every) != 0) return;
+  way_since_crossed_ += std::sqrt(step.motion.moved_squared) + stiffest_->floor.drive_speed * step.h;
+  if (started_ && ++since_crossed_ < borders_every && !(way_since_crossed_ > least_spacing_ / 4)) return;
+  since_crossed_ = 0;
+  way_since_crossed_ = 0;
   const CrossingBorders found = crossing_borders(system_, step.t, step.after);
   const CrossingBorders turned = cells_inside_out(system_, step.t, step.after);
   look(WatchKind::crossing_lattices, step.t, found.pairs + turned.pairs,
@@ -264,7 +270,9 @@ void Validity::look_at_arrival(double t) {
   Sentence where;
   where.precision(3);
   where << "at " << speed << " m/s";
-  const double limit = largest_stable_step(scene_.time.method, stiffest_impact(system_.parts(), speed));
+  const Oscillator impact = stiffest_impact(system_.parts(), speed);
+  if (impact.omega == 0) return;
+  const double limit = largest_stable_step(scene_.time.method, impact);
   look(WatchKind::arrival, t, step_ / limit, [&] { return where.str(); });
 }
 
@@ -280,12 +288,17 @@ void Validity::judge_energy(double t, const Observation& seen, bool early) {
   if (!started_) start_ = e;
   // What plates will do in the step in which they touch the method cannot know yet.
   supplied_ = std::max(supplied_, e.supplied(start_) + plate_power_ * step_);
-  const double residual = e.residual(start_);
+  most_lost_ = started_ ? std::max(most_lost_, e.lost()) : e.lost();
+  const double residual = e.residual(start_), taken_back = most_lost_ - e.lost();
   const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
-  if (!(std::fabs(residual) > nothing) || !(supplied_ > 0)) return;
-  const WatchKind kind = residual > 0 ? WatchKind::energy_made : WatchKind::energy_lost;
-  const double share = std::fabs(residual) / supplied_;
-  if (!early || share > of(kind).ends_above) look(kind, t, share, [] { return std::string(); });
+  if (!(supplied_ > 0)) return;
+  const auto judge = [&](WatchKind kind, double energy, const char* where) {
+    const double share = energy / supplied_;
+    if (energy > nothing && (!early || share > of(kind).ends_above)) look(kind, t, share, [&] { return where; });
+  };
+  judge(WatchKind::energy_made, std::max(residual, 0.0) + taken_back,
+        taken_back > residual ? "heat that was booked has been taken back" : "");
+  judge(WatchKind::energy_lost, -residual, "");
 }
 
 }  // namespace furrow

@@ -1,15 +1,16 @@
 // Whether a run stays where its laws and its method are valid: watched at every accepted step.
 //
 //   watch            measured                                                     warns above   ends the run above
-//   energy_made      residual of the ledger, of all that the scene was given          0.01            0.1
-//   energy_lost      the same, where energy is missing                                0.01            1
+//   energy_made      residual of the ledger and heat that was taken back,              0.01            0.1
+//                    of all that the scene was given
+//   energy_lost      the residual, where energy is missing                                0.01            1
 //   overlap          of the smaller radius                                            0.1             1
 //   behind_walls     discs whose centres are behind a wall, at once                    0              0
 //   through_plates   centres that crossed the middle of a plate                        0              0
 //   through_lattices centres that crossed a whole border segment                       0              0
 //   crossing_lattices pairs of border segments that cross, of two lattices or of one,   0               -
-//                    which do not touch each other, and cells that are inside out; or
-//                    nodes that have crossed another lattice's border
+//                    which do not touch each other, and cells that are inside out or
+//                    folded over; or nodes that have crossed another lattice's border
 //   impact           energy of a contact, of what carries the one through the other   1               -
 //   step             step, of the largest stable one at the contacts that are there   0.5             -
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -
@@ -19,9 +20,10 @@
 // surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
 // means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
 // Energy is looked at every 200 steps and at the end, since what was made stays in the residual; every 25 once there was
-// a warning, and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, lattices that
-// pass each other at each; the step when contacts have come or deepened by a tenth and the fastest rate has grown by a
-// quarter, and once at the end by the fastest that there was; all else at each step.
+// a warning, and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, and whenever
+// something may have moved by a quarter of a spacing since; lattices that pass each other at each step; the step when
+// contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by the
+// fastest that there was; all else at each step.
 #pragma once
 
 #include <array>
@@ -130,10 +132,13 @@ class Validity {
   bool started_ = false;
   Energies start_;
   double supplied_ = 0;                                // J, the most so far
+  double most_lost_ = 0;                               // J, heat and the like, so far
   double plate_power_ = 0;                             // W, of the last step
   long since_booked_ = 0;                              // steps
   bool begun_ = false;                                 // the energy was booked after the start
-  long since_crossed_ = 0;                             // steps with lattices
+  long since_crossed_ = 0;                             // steps
+  double way_since_crossed_ = 0;                       // m, of the fastest
+  double least_spacing_ = infinity;                    // m, of a lattice
   int passed_ = 0;                                     // nodes that crossed another lattice's border, so far
   double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last
   struct Stiffest;

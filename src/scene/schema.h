@@ -114,8 +114,10 @@ void describe(auto& v, Output& o) {
 
 void describe(auto& v, Allow& a) {
   v("energy_made", a.energy_made,
-    {"-", positive, "0.2", "Residual of the ledger, of all energy that the scene was given, where energy is made."});
-  v("energy_lost", a.energy_lost, {"-", positive, "0.5", "The same where energy is lost."});
+    {"-", positive, "0.2",
+     "Energy that the method or a law has made, of all that the scene was given: the residual of the ledger, and heat "
+     "that was taken back."});
+  v("energy_lost", a.energy_lost, {"-", positive, "0.5", "Energy that is missing in the ledger, of the same."});
   v("overlap", a.overlap, {"-", positive, "0.5", "Greatest overlap, of the smaller radius."});
   v("step", a.step, {"-", positive, "0.8", "Time step, of the largest stable one."});
   v("behind_walls", a.behind_walls, plain("true", "Whether centres of discs may be behind a wall."));

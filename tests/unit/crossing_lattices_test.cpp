@@ -68,6 +68,36 @@ TEST(CrossingLattices, CellsThatTurnInsideOutAreNoticed) {
       << "a single link has no inside";
 }
 
+// The middle node of nine stands beyond its right neighbour: two inner links cross the border, the corners of no cell go
+// round the wrong way.
+TEST(CrossingLattices, ACellFoldedLikeABowTieIsNoticed) {
+  const auto worst = [](Vec2 moved) {
+    Scene scene = empty_scene();
+    Lattice l = lattice({0, 0}, 3, 3, 0.1);
+    l.structural = link_kind(1e-6, 0);
+    l.node = {node_setting(1, 1, moved)};
+    scene.lattice = {l};
+    const WatchedRun r = watched(scene, "verlet", 1e-3, 0.2);
+    EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+    return r.of(WatchKind::crossing_lattices).worst;
+  };
+  EXPECT_EQ(worst({0.115, 0}), 2);
+  EXPECT_EQ(worst({0, -0.115}), 2);
+  EXPECT_GT(worst({0.115, 0.115}), 0);
+  EXPECT_EQ(worst({0.09, 0.02}), 0) << "bent, but no side crosses another";
+}
+
+// The end of a chain goes through its middle, and 16 steps later its last link has left that at the end.
+TEST(CrossingLattices, AChainThatCrossesItselfForAShortTimeIsNoticed) {
+  Scene scene = empty_scene();
+  Lattice l = lattice({0, 0}, 1, 4, 0.1);
+  l.structural = link_kind(1e-6, 0);
+  l.node = {node_setting(0, 2, {-0.05, 0.1}), node_setting(0, 3, {-0.25, 0.025}, {0, -6})};
+  scene.lattice = {l};
+  const WatchedRun r = watched(scene, "verlet", 1e-3, 0.049);
+  EXPECT_EQ(r.of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
+}
+
 // A chain whose end is thrown across its middle.
 TEST(CrossingLattices, AChainThatCrossesItselfIsNoticed) {
   Scene scene = empty_scene();

@@ -32,5 +32,21 @@ TEST(EnergyWatch, ThatAFirstOrderMethodBeginsRoughlyIsNoWarning) {
   EXPECT_EQ(r.warnings, std::vector<std::string>{});
 }
 
+// What the spring holds after slip may be more than the limit if the damper pushes the other way: it makes energy that
+// is booked as stiffening and as negative heat.
+TEST(EnergyWatch, EnergyOfAnOverfullTangentialSpringIsNoticed) {
+  Scene scene = empty_scene();
+  scene.material[0].young = 2e7;
+  scene.model.law = ForceLaw::rescaled_mindlin;
+  scene.model.after_slip = AfterSlip::less_viscous;
+  scene.contact.friction = 0.5;
+  scene.contact.damping_factor = 2;
+  scene.wall = {wall({0, 0}, {0, 1})};
+  scene.disc = {disc({0, 0.01}, 0.01, {0.107, -0.169}, 10)};
+  const WatchedRun r = watched(allowing_all(scene), "pece", 5e-6, 0.025);
+  ASSERT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  EXPECT_GT(r.of(WatchKind::energy_made).worst, 0.01) << "kinetic and elastic energy grow to many times the start";
+}
+
 }  // namespace
 }  // namespace furrow

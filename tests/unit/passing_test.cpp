@@ -54,20 +54,98 @@ TEST(Passing, ALatticeDoesNotStepOverADisc) {
   scene.lattice = {l};
   const WatchedRun r = watched(scene, "pece", 1e-3, 0.02);
   EXPECT_EQ(r.end.ending, Ending::diverged);
-  EXPECT_NE(r.end.reason.find("more than the radius of the smallest disc"), std::string::npos) << r.end.reason;
+  EXPECT_NE(r.end.reason.find("more than the disc's radius"), std::string::npos) << r.end.reason;
 }
 
-// 3 mm a step, the disc of 1 mm is 1 m away: only what may meet it has to go in smaller steps.
-TEST(Passing, ADiscFarAwayLimitsNoLattice) {
-  for (const double place : {1.0, 0.055}) {
+// 3 mm a step, the disc of 1 mm is 1 m away, beside the way or on it: only what meets it has to go in smaller steps.
+TEST(Passing, ADiscBesideTheWayLimitsNoLattice) {
+  const auto ending = [](Vec2 place) {
     Scene scene = soft_scene();
-    scene.disc = {disc({place, place}, 1e-3)};
+    scene.disc = {disc(place, 1e-3)};
     Lattice l = lattice({0, 0}, 1, 2, 0.05);
     l.structural = {1e3, 0.1};
     l.node = {node_setting(0, 0, {}, {3, 3}), node_setting(0, 1, {}, {3, 3})};
     scene.lattice = {l};
-    const Ending ending = watched(scene, "pece", 1e-3, 0.01).end.ending;
-    EXPECT_EQ(ending, place == 1.0 ? Ending::finished : Ending::diverged) << place;
+    return watched(scene, "pece", 1e-3, 0.03).end.ending;
+  };
+  EXPECT_EQ(ending({1, 1}), Ending::finished);
+  EXPECT_EQ(ending({0.03, -0.002}), Ending::finished) << "below it from the start";
+  EXPECT_EQ(ending({0.04, 0.05}), Ending::finished) << "its left end passes 10 mm beside it";
+  EXPECT_EQ(ending({0.07, 0.055}), Ending::diverged) << "between two places that it comes to";
+}
+
+// Two discs of 10 mm at 30 m/s, 15 mm a step.
+Ending of_two(Vec2 place, Vec2 velocity, Vec2 other_velocity) {
+  Scene scene = soft_scene();
+  scene.disc = {disc({0, 0}, 0.01, velocity), disc(place, 0.01, other_velocity)};
+  return watched(scene, "verlet", 5e-4, 0.01).end.ending;
+}
+
+TEST(Passing, OnlyWhatMeetsHasToGoInSmallSteps) {
+  EXPECT_EQ(of_two({1, 1}, {30, 0}, {}), Ending::finished) << "beside the way";
+  EXPECT_EQ(of_two({-0.021, 0}, {30, 0}, {}), Ending::finished) << "behind it";
+  EXPECT_EQ(of_two({0.021, 0}, {30, 30}, {30, 30}), Ending::finished) << "together";
+  EXPECT_EQ(of_two({0.3, 0.3}, {30, 0}, {0, 30}), Ending::finished) << "along two ways apart";
+  EXPECT_EQ(of_two({0.2, 0.2}, {30, 0}, {30, -30}), Ending::finished) << "it is past before the other comes";
+  EXPECT_EQ(of_two({0.202, 0.003}, {30, 0}, {}), Ending::diverged) << "on the way";
+  EXPECT_EQ(of_two({0.202, 0.202}, {30, 0}, {0, -30}), Ending::diverged) << "at one place at one time";
+}
+
+TEST(Passing, ADiscThatIsAloneMayGoAsFarAsItLikes) {
+  Scene scene = soft_scene();
+  scene.disc = {disc({0, 0}, 0.01, {3, 0})};
+  scene.wall = {wall({0, -0.011}, {0, 1})};
+  scene.plate = {plate({-0.1, 0.02}, 0.05, 0.1)};
+  const WatchedRun r = watched(scene, "verlet", 5e-3, 0.1);
+  EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+  scene.disc[0].velocity = {3, -1};
+  EXPECT_EQ(watched(scene, "verlet", 5e-3, 0.1).end.ending, Ending::diverged) << "towards the wall";
+  scene.disc[0].velocity = {-6, 4};
+  EXPECT_EQ(watched(scene, "verlet", 5e-3, 0.1).end.ending, Ending::diverged) << "through the plate";
+}
+
+// No impact can come where no two can meet.
+TEST(Passing, ADiscThatIsAloneIsNotWarnedOfImpacts) {
+  Scene scene = empty_scene();
+  scene.disc = {disc({0, 0}, 0.01, {3, 0})};
+  EXPECT_TRUE(watched(scene, "verlet", 0.02, 0.1).warnings.empty());
+  scene.disc.push_back(disc({5, 5}, 0.01));
+  EXPECT_FALSE(watched(scene, "verlet", 0.02, 0.1).warnings.empty());
+}
+
+TEST(Passing, NodesThatLeaveEachOtherByTheirSpacingInAStepHaveBlownUp) {
+  for (const double other : {11.0, 8.0, -10.0}) {
+    Scene scene = soft_scene();
+    Lattice l = lattice({0, 0}, 1, 2, 0.01);
+    l.structural = link_kind(1e-3, 0);
+    l.node = {node_setting(0, 0, {}, {11, 0}), node_setting(0, 1, {}, {other, 0})};
+    scene.lattice = {l};
+    const WatchedRun r = watched(scene, "verlet", 1e-3, 2e-3);
+    EXPECT_EQ(r.end.ending, other < 0 ? Ending::diverged : Ending::finished) << other << ": " << r.end.reason;
+  }
+}
+
+// The disc is 9 mm behind a lattice that flies away from it.
+TEST(Passing, ALatticeMayFlyAwayFromATinyDisc) {
+  Scene scene = empty_scene();
+  scene.disc = {disc({-0.009, 0.01}, 1e-4)};
+  Lattice l = lattice({0, 0}, 3, 3, 0.01);
+  l.structural = link_kind(1e3, 0);
+  for (int k = 0; k < 9; ++k) l.node.push_back(node_setting(k / 3, k % 3, {}, {4, 0}));
+  scene.lattice = {l};
+  const WatchedRun r = watched(scene, "verlet", 1e-4, 0.01);
+  EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+}
+
+TEST(Passing, DrivenNodesDoNotStepOverADisc) {
+  for (const double height : {0.0, 0.02}) {
+    Scene scene = soft_scene();
+    scene.disc = {disc({0.0503, height}, 1e-4)};
+    Lattice l = lattice({0, 0}, 1, 2, 0.01);
+    l.drive = {{.columns = {0, 1}, .velocity = {1, 0}}};
+    scene.lattice = {l};
+    const WatchedRun r = watched(scene, "verlet", 1e-3, 0.1);
+    EXPECT_EQ(r.end.ending, height == 0 ? Ending::diverged : Ending::finished) << r.end.reason;
   }
 }
 

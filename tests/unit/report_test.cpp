@@ -87,7 +87,7 @@ TEST(Report, ShowsWhatTheRunDidToTheValidityOfItsLaws) {
   page = std::regex_replace(page, std::regex("\\s*</?(tr|td|small)[^>]*>\\s*"), "|");
   page = std::regex_replace(page, std::regex("\\|+"), "|");
   for (const char* row :
-       {"|energy that the method made, of all that the scene was given|not watched|",
+       {"|energy that the method or a law made, of all that the scene was given|not watched|",
         "|greatest overlap, of the smaller radius|0.625|0.01|–|0.75|0.25 s|disc 3 &amp; &lt;wall 0&gt;|allowed|",
         "|centres that crossed the middle of a plate|11|0.01|–|any|0.25 s|disc 3 &amp; &lt;wall 0&gt;|allowed|",
         "|step, of the largest stable one at the contacts that are there|2.5|0.01|–|–|0.25 s|disc 3 &amp; "

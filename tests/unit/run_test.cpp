@@ -120,14 +120,14 @@ TEST(Run, UnstableStepIsADivergenceThatNamesTheNode) {
   EXPECT_GT(r.end.steps, 2);
 }
 
-TEST(Run, ABodyThatOutrunsItsSizeIsADivergence) {
+TEST(Run, BodiesThatMeetInAStepTooLongForThemAreADivergence) {
   Scene scene = empty_scene();
-  scene.disc = {disc({0, 0}, 0.1, {0, 0.9}), disc({5, 0}, 0.1, {0, -1.1})};
+  scene.disc = {disc({0, 0}, 0.1, {0, 0.9}), disc({0, 0.3}, 0.1, {0, -1.1})};
   const auto method = make_method("pece");
   const Ran r = run_through(scene, *method, plan_of(10, 0.1));
   expect_last_good(r);
   EXPECT_EQ(r.end.steps, 0);
-  EXPECT_NE(r.end.reason.find("disc 1 moved"), std::string::npos) << r.end.reason;
+  EXPECT_NE(r.end.reason.find("disc 0 and disc 1 moved"), std::string::npos) << r.end.reason;
 }
 
 // Spoils one number of the state after three steps.
