@@ -10,8 +10,10 @@ const std::vector<PagePart>& page_parts() {
        {"convergence"}},
       {"scenes", "The three scenes", "What happens in them, and what the paper reports of each.", {}},
       {"right",
-       "Is the model right?",
-       "Are its equations solved right: by checks against closed forms, by the order of each method, by faults put in.",
+       "Are the equations solved right?",
+       "By checks against closed forms, by the order of each method, by faults put into the source. Whether soil "
+       "behaves "
+       "like this model is another question: nothing here is compared with measured soil.",
        {"responses", "order", "published"}},
       {"accurate", "How accurate is it?", "What an error costs, by each method.", {"work_precision", "need"}},
       {"breaks", "Where does it break?", "How long a step may be, and what happens beyond.", {"stability"}},

@@ -201,7 +201,7 @@ class PageWriter {
       text.html += judgements_section(evidence_.judgements, here, page_);
     }
     if (part.id == "made")
-      text.html += ages(studies_, page_) + how_made(runs_, page_) +
+      text.html += ages(studies_, evidence_, page_) + how_made(runs_, page_) +
                    element("p",
                            "The state hash is of every bit of the final state; the determinism tests show that it does "
                            "not depend on compiler, optimisation or vector width.",

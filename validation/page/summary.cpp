@@ -5,6 +5,7 @@
 
 #include "output/build_info.h"
 #include "output/machine.h"
+#include "report/seal.h"
 #include "validation/page/html.h"
 #include "validation/page/judgements.h"
 #include "validation/page/mutants.h"
@@ -87,10 +88,12 @@ void take_headlines(const std::vector<StudyResult>& studies, std::vector<Tile>& 
 
 std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& studies) {
   const Verdict v = verdict_of(evidence);
-  std::vector<Tile> tiles{
-      {"right", "right", "Is the model right?", "", ""},       {"accurate", "accurate", "How accurate is it?", "", ""},
-      {"breaks", "breaks", "Where does it break?", "", ""},    {"fast", "fast", "How fast is it?", "", ""},
-      {"engines", "fast", "How do other engines do?", "", ""}, {"paper", "paper", "What of the paper stands?", "", ""}};
+  std::vector<Tile> tiles{{"right", "right", "Are the equations solved right?", "", ""},
+                          {"accurate", "accurate", "How accurate is it?", "", ""},
+                          {"breaks", "breaks", "Where does it break?", "", ""},
+                          {"fast", "fast", "How fast is it?", "", ""},
+                          {"engines", "fast", "How do other engines do?", "", ""},
+                          {"paper", "paper", "What of the paper stands?", "", ""}};
   if (v.checks > 0) {
     tiles[0].value = grouped(v.checks - v.failed) + " of " + grouped(v.checks);
     tiles[0].text = "checks against closed forms hold.";
@@ -162,6 +165,20 @@ std::string makers_of(const StudyResult& study) {
   return commits + element("small", machines);
 }
 
+// Of a file that is no study: it says what made it, not of which solver's sources.
+std::string age_of_file(const std::string& unusable, const std::filesystem::path& file, const std::string& id,
+                        const std::string& title, const char* counted, const std::string& command) {
+  if (file.empty() || !unusable.empty()) return {};
+  const Json kept = read_sealed(file);
+  const std::string made = kept.value("when", "");
+  return element("tr", "<th scope=\"row\"><a href=\"#" + id + "\">" + title + "</a></th>" +
+                           element("td", std::to_string(kept.at(counted).size()), "number") +
+                           element("td", when(made), "when") + element("td", when(made), "when") +
+                           element("td", escaped(kept.value("commit", "")) +
+                                             element("small", escaped(kept.value("machine", "")))) +
+                           element("td", "as of that commit") + element("td", "<code>" + command + "</code>"));
+}
+
 }  // namespace
 
 std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence,
@@ -171,7 +188,7 @@ std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence
          failing(studies);
 }
 
-std::string ages(const std::vector<StudyResult>& studies, Page& page) {
+std::string ages(const std::vector<StudyResult>& studies, const Evidence& evidence, Page& page) {
   std::string rows;
   for (const StudyResult& study : studies) {
     rows += element("tr", "<th scope=\"row\"><a href=\"#study_" + study.name + "\">" +
@@ -182,6 +199,10 @@ std::string ages(const std::vector<StudyResult>& studies, Page& page) {
                               element("td", age_chip(study.numbers)) +
                               element("td", "<code>furrow study " + study.name + "</code>"));
   }
+  rows += age_of_file(unusable_faults(evidence.faults), evidence.faults, "faults", "Faults that they notice", "results",
+                      "scripts/faults");
+  rows += age_of_file(unusable_judgements(evidence.judgements), evidence.judgements, "judgements",
+                      "Engines judged by the same cases", "engines", "scripts/judge --keep");
   if (rows.empty()) return {};
   return framed({page.id("table ages"),
                  "When the kept numbers of each section were made, and whether the solver has changed since.",

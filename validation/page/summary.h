@@ -13,6 +13,6 @@ std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence
                     const std::vector<StudyResult>& studies, Page& page);
 
 // A row a study: when, by which commit and machine its numbers were made, and whether the solver has changed since.
-std::string ages(const std::vector<StudyResult>& studies, Page& page);
+std::string ages(const std::vector<StudyResult>& studies, const Evidence& evidence, Page& page);
 
 }  // namespace furrow::validation

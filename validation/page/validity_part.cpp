@@ -12,13 +12,14 @@ namespace {
 
 std::string in_words(const std::string& name) {
   static const std::map<std::string, std::string> words{
-      {"energy_made", "energy that the method made, of all that the scene was given"},
+      {"energy_made", "energy that the method or a law made, of all that the scene was given"},
       {"energy_lost", "energy that it lost, of the same"},
       {"overlap", "greatest overlap, of the smaller radius"},
       {"behind_walls", "discs whose centres are behind a wall, at once"},
       {"through_plates", "centres that crossed the middle of a plate"},
       {"through_lattices", "centres that crossed the border of a lattice"},
-      {"crossing_lattices", "pairs of border segments of lattices that cross, and cells that are inside out"},
+      {"crossing_lattices",
+       "pairs of border segments of lattices that cross, and cells that are inside out or folded over"},
       {"impact", "energy of a contact, of what carries the one through the other"},
       {"step", "step, of the largest stable one at the contacts that are there"},
       {"arrival", "step, of the largest stable one in an impact that may come"}};
@@ -55,6 +56,14 @@ std::string sentence(const std::string& verdict) {
   return "It goes beyond what any run may, and ends there.";
 }
 
+// What becomes of a disc that is pressed into a plate.
+std::string faces(const RunRecord& run) {
+  if (std::isnan(worst_of(run, "through_plates")) || run.scene.plate.empty()) return {};
+  return run.scene.model.tight_plates.value_or(false)
+             ? " A disc that is pressed into a plate, however deep, is pushed back to the face on which it met it."
+             : " A disc whose centre is pressed beyond the middle of a plate is pushed out behind it.";
+}
+
 double worst_of(const RunRecord& run, const std::string& name) {
   const auto found =
       std::find_if(run.watched.begin(), run.watched.end(), [&](const WatchedFact& w) { return w.name == name; });
@@ -68,8 +77,8 @@ std::string validity_part(const RunRecord& run, Page& page) {
   std::string rows;
   for (const WatchedFact& w : run.watched) rows += row_of(w);
   return framed({page.id(run.name + " validity"),
-                 "What this run does to the validity of its laws. " + sentence(run.validity), escaped(run.name),
-                 "study",
+                 "What this run does to the validity of its laws. " + sentence(run.validity) + faces(run),
+                 escaped(run.name), "study",
                  head_cell("Watched") + head_cell("Measured", true) + head_cell("Warns above", true) +
                      head_cell("Ends the run above", true) + head_cell("The scene allows", true) +
                      head_cell("At the worst") + head_cell("Verdict"),

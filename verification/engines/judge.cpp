@@ -124,9 +124,11 @@ Finding judge_converging(Finding f, const Json& seen, const std::vector<int>& st
   const std::size_t n = f.values.size();
   const double last = std::fabs(f.values[n - 1] - f.values[n - 2]), first = std::fabs(f.values[1] - f.values[0]);
   const bool settles = last < 0.7 * first || last <= floor * scale || last < 0.1 * f.error * scale;
+  constexpr int digits = 8;  // enough to tell two apart that are taken for different ones
   if (settles)
     return said(f, CaseVerdict::another_law,
-                "goes to " + shortest(f.limit) + " in place of " + shortest(f.expected) + ", off by " + few(f.error));
+                "goes to " + rounded(f.limit, digits) + " in place of " + rounded(f.expected, digits) + ", off by " +
+                    few(f.error));
   return said(f, CaseVerdict::failed, "does not converge: " + orders);
 }
 

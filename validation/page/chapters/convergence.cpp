@@ -124,7 +124,8 @@ Report convergence(const Shelf& shelf) {
     const std::string id = largest_force_of(c.scene);
     const double at_papers = value_in(results, {c, "pece", papers_step}, id);
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
-    found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id)});
+    const double settled = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
+    found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), !std::isnan(settled)});
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +

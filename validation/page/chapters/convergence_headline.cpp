@@ -32,6 +32,17 @@ Figure figure_of(const std::vector<ConvergedForce>& found, const std::string& fi
           .blocks = shares_of(found)};
 }
 
+// "51 to 84 N"
+std::string with_finer_steps(const ConvergedForce& f) {
+  double least = INFINITY, most = 0;
+  for (const Json& row : f.by_step) {
+    if (!(row[0].get<double>() < 0.99e3 * papers_step)) continue;
+    least = std::min(least, row[1].get<double>());
+    most = std::max(most, row[1].get<double>());
+  }
+  return rounded(least) + " to " + rounded(most) + " N";
+}
+
 }  // namespace
 
 std::string rounded(double force) {
@@ -47,17 +58,18 @@ void add_headline(Report& report, const std::vector<ConvergedForce>& found, std:
     if (f.c.reading == Reading::disc) {
       most = std::max(most, f.off());
     } else {
-      spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + rounded(f.finest) + " N";
+      spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + with_finer_steps(f) +
+                 (f.settles ? "" : " and settles at no step");
     }
   }
-  report.headline({.tile = "finding",
-                   .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
-                            "are off by no more than " +
-                            std::to_string(std::lround(100 * most)) + " %.",
-                   .text = "If it is a sphere, and the paper does not say which, that step makes them: with steps of " +
-                           finest_step + " " + spheres + ". Of " + std::to_string(settled.second) +
-                           " numbers in all, " + std::to_string(settled.first) +
-                           " do not depend on the paper's step."});
+  report.headline(
+      {.tile = "finding",
+       .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
+                "are off by no more than " +
+                std::to_string(std::lround(100 * most)) + " %.",
+       .text = "If it is a sphere, and the paper does not say which, that step makes them: with finer ones, down to " +
+               finest_step + ", " + spheres + ". Of " + std::to_string(settled.second) + " numbers in all, " +
+               std::to_string(settled.first) + " do not depend on the paper's step."});
   report.first_figure(figure_of(found, finest_step));
 }
 

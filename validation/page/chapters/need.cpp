@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/failures.h"
 #include "validation/page/chapters/names.h"
 
 namespace furrow::validation {
@@ -89,7 +90,7 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
     const Json& run = numbers.at(without_key(subject, term, k));
     if (run.contains("failed")) {
       v.needed = true;
-      v.row.emplace_back("the scene does not run without: " + run["failed"].get<std::string>());
+      v.row.emplace_back("needed: the scene does not run without; " + in_short(run["failed"].get<std::string>()));
       return v;
     }
     const Values e = values_in(run.at("effects"));
