@@ -56,18 +56,18 @@ std::string sentence(const std::string& verdict) {
   return "It goes beyond what any run may, and ends there.";
 }
 
+double worst_of(const RunRecord& run, const std::string& name) {
+  const auto found =
+      std::find_if(run.watched.begin(), run.watched.end(), [&](const WatchedFact& w) { return w.name == name; });
+  return found == run.watched.end() ? std::nan("") : found->worst;
+}
+
 // What becomes of a disc that is pressed into a plate.
 std::string faces(const RunRecord& run) {
   if (std::isnan(worst_of(run, "through_plates")) || run.scene.plate.empty()) return {};
   return run.scene.model.tight_plates.value_or(false)
              ? " A disc that is pressed into a plate, however deep, is pushed back to the face on which it met it."
              : " A disc whose centre is pressed beyond the middle of a plate is pushed out behind it.";
-}
-
-double worst_of(const RunRecord& run, const std::string& name) {
-  const auto found =
-      std::find_if(run.watched.begin(), run.watched.end(), [&](const WatchedFact& w) { return w.name == name; });
-  return found == run.watched.end() ? std::nan("") : found->worst;
 }
 
 }  // namespace
