@@ -171,12 +171,13 @@ std::string age_of_file(const std::string& unusable, const std::filesystem::path
   if (file.empty() || !unusable.empty()) return {};
   const Json kept = read_sealed(file);
   const std::string made = kept.value("when", "");
-  return element("tr", "<th scope=\"row\"><a href=\"#" + id + "\">" + title + "</a></th>" +
-                           element("td", std::to_string(kept.at(counted).size()), "number") +
-                           element("td", when(made), "when") + element("td", when(made), "when") +
-                           element("td", escaped(kept.value("commit", "")) +
-                                             element("small", escaped(kept.value("machine", "")))) +
-                           element("td", "as of that commit") + element("td", "<code>" + command + "</code>"));
+  return element(
+      "tr",
+      "<th scope=\"row\"><a href=\"#" + id + "\">" + title + "</a></th>" +
+          element("td", std::to_string(kept.at(counted).size()), "number") + element("td", when(made), "when") +
+          element("td", when(made), "when") +
+          element("td", escaped(kept.value("commit", "")) + element("small", escaped(kept.value("machine", "")))) +
+          element("td", "as of that commit") + element("td", "<code>" + command + "</code>", "command"));
 }
 
 }  // namespace
@@ -197,7 +198,7 @@ std::string ages(const std::vector<StudyResult>& studies, const Evidence& eviden
                               element("td", when(study.numbers.first), "when") +
                               element("td", when(study.numbers.last), "when") + element("td", makers_of(study)) +
                               element("td", age_chip(study.numbers)) +
-                              element("td", "<code>furrow study " + study.name + "</code>"));
+                              element("td", "<code>furrow study " + study.name + "</code>", "command"));
   }
   rows += age_of_file(unusable_faults(evidence.faults), evidence.faults, "faults", "Faults that they notice", "results",
                       "scripts/faults");

@@ -43,10 +43,10 @@ std::string at_the_worst(const WatchedFact& w) {
 std::string row_of(const WatchedFact& w) {
   if (std::isnan(w.time))
     return element("tr", element("td", in_words(w.name)) + element("td", chip_or_words(w.verdict)));
-  std::string cells = element("td", in_words(w.name));
+  std::string cells = element("td", in_words(w.name)) + element("td", chip_or_words(w.verdict));
   for (const std::string& cell : {shown(w.worst), limit(w.warns_above), limit(w.ends_above), allowance(w)})
     cells += element("td", cell, "number");
-  return element("tr", cells + element("td", at_the_worst(w)) + element("td", chip_or_words(w.verdict)));
+  return element("tr", cells + element("td", at_the_worst(w)));
 }
 
 std::string sentence(const std::string& verdict) {
@@ -79,9 +79,9 @@ std::string validity_part(const RunRecord& run, Page& page) {
   return framed({page.id(run.name + " validity"),
                  "What this run does to the validity of its laws. " + sentence(run.validity) + faces(run),
                  escaped(run.name), "study",
-                 head_cell("Watched") + head_cell("Measured", true) + head_cell("Warns above", true) +
-                     head_cell("Ends the run above", true) + head_cell("The scene allows", true) +
-                     head_cell("At the worst") + head_cell("Verdict"),
+                 head_cell("Watched") + head_cell("Verdict") + head_cell("Measured", true) +
+                     head_cell("Warns above", true) + head_cell("Ends the run above", true) +
+                     head_cell("The scene allows", true) + head_cell("At the worst"),
                  rows});
 }
 

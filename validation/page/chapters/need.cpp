@@ -112,23 +112,23 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
   }
   v.needed = !which.empty() || compared == 0;
   v.row.emplace_back(percent(1 - moments(cost).mean));
-  v.row.emplace_back(compared == 0 ? "not judged: nothing to compare"
-                                   : (v.needed ? "needed: " + which : std::string("not needed")) +
-                                         (v.certain ? "" : " (not certain)"));
+  v.row.insert(v.row.begin() + 1, compared == 0 ? "not judged: nothing to compare"
+                                                : (v.needed ? "needed: " + which : std::string("not needed")) +
+                                                      (v.certain ? "" : " (not certain)"));
   return v;
 }
 
 void add_subject(Report& report, const Numbers& numbers, const Subject& subject) {
   report.heading(scene_words(subject.name));
-  std::vector<std::string> head{"without"};
-  std::vector<Json> limit{"tolerance"};
+  std::vector<std::string> head{"without", "verdict"};
+  std::vector<Json> limit{"tolerance", ""};
   const Values tolerance = tolerances(numbers, subject);
   for (std::size_t o = 0; o < observables.size(); ++o) {
     if (!is_shown(subject, o)) continue;
     head.emplace_back(observables[o]);
     limit.emplace_back(amount(static_cast<int>(o), tolerance[o]));
   }
-  head.insert(head.end(), {"CPU saved", "verdict"});
+  head.emplace_back("CPU saved");
   std::vector<std::vector<Json>> rows{limit};
   std::string spare;
   for (const Term& term : terms_of(subject)) {

@@ -87,8 +87,9 @@ void judge(Report& report, const Groups& groups, const Reasons& reasons) {
       }
       const auto [low, high] = sample.median_interval();
       rows.push_back({scene == "scenario_1" ? "1" : scene.substr(9) + ", " + group.substr(group.find(' ') + 1) + "s",
-                      s.quantity, said(s), ours(s, sample), runs(sample), interval(low, high, sample.numbers.size()),
-                      interval(sample.quantile(0.05), sample.quantile(0.95), sample.numbers.size()), verdict,
+                      s.quantity, verdict, said(s), ours(s, sample), runs(sample),
+                      interval(low, high, sample.numbers.size()),
+                      interval(sample.quantile(0.05), sample.quantile(0.95), sample.numbers.size()),
                       reasons.why(s, sample, group, verdict)});
     }
   }
@@ -114,8 +115,8 @@ void judge(Report& report, const Groups& groups, const Reasons& reasons) {
       "one of a thing that does not happen is not reproduced. How words are read as ranges is said in "
       "validation/statements.toml.");
   report.table("Every statement of the paper, judged. Numbers of an ensemble are the median of the runs that say one.",
-               {"scene", "statement", "the paper", "ours", "runs", "95 % interval of the median",
-                "5 % to 95 % of the packings", "verdict", "why not"},
+               {"scene", "statement", "verdict", "the paper", "ours", "runs", "95 % interval of the median",
+                "5 % to 95 % of the packings", "why not"},
                rows);
   report.claim({.text = "Every statement has a number of ours to be judged by.",
                 .value = std::to_string(rows.size() - missing) + " of " + std::to_string(rows.size()),

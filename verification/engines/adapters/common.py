@@ -135,12 +135,14 @@ def serve(engine, order, run):
 
 
 def call(words, folder, **more):
-    """Runs a program; what it said last is the error if it ends badly."""
+    """Runs a program; if it ends badly, what it calls an error is said, else what it said last."""
     if shutil.which(words[0]) is None:
         sys.exit(f"{words[0]} is not installed")
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False, **more)
     if done.returncode != 0:
-        sys.exit(f"{words[0]} ended with {done.returncode}: {(done.stdout + done.stderr)[-600:]}")
+        said = done.stdout + done.stderr
+        errors = [line for line in said.splitlines() if "error" in line.lower()]
+        sys.exit(f"{words[0]} ended with {done.returncode}: {' '.join(errors) or said[-600:]}")
     return done.stdout
 
 

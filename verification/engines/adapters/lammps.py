@@ -71,7 +71,9 @@ def wall_lines(case, types):
 def box(case):
     xs = [p for b in case.body for p in (b["position"][0] - 50 * b["radius"], b["position"][0] + 50 * b["radius"])]
     ys = [p for b in case.body for p in (b["position"][1] - 50 * b["radius"], b["position"][1] + 50 * b["radius"])]
-    wide = 0.5 * max(max(xs) - min(xs), max(ys) - min(ys))
+    wide = max(max(xs) - min(xs), max(ys) - min(ys))
+    if case.spring:  # points have no radius, and may go far from where they start
+        wide += case.end * max(math.hypot(*b["velocity"]) for b in case.body)
     return min(xs) - wide, max(xs) + wide, min(ys) - wide, max(ys) + wide
 
 
