@@ -36,10 +36,17 @@ bool crosses_segment(const System& system, const Step& s, const Path& point, int
   };
   const Path was = ends(s.t - s.h, s.before), is = ends(s.t, s.after);
   const double left_before = side_of(was.from, was.to, point.from), left_after = side_of(is.from, is.to, point.to);
-  if ((left_before > 0) == (left_after > 0)) return false;
-  const double ux = is.to.x - is.from.x, uy = is.to.y - is.from.y;
-  const double along = (point.to.x - is.from.x) * ux + (point.to.y - is.from.y) * uy;
-  return along >= 0 && along <= ux * ux + uy * uy;
+  const bool changed = (left_before > 0) != (left_after > 0);
+  const Path to_a{was.from - point.from, is.from - point.to}, to_b{was.to - point.from, is.to - point.to};
+  // Where the side has changed one of the two is in the step, but for rounding.
+  const auto is_between = [&](double share) {
+    if (!(share >= -1e-9 && share <= 1 + 1e-9)) return false;
+    const Vec2 a = at(to_a, share), b = at(to_b, share);
+    return dot(a, b) <= 1e-9 * dot(a - b, a - b);
+  };
+  const auto [one, other] = crossing_shares(to_a, to_b);
+  const int times = (is_between(one) ? 1 : 0) + (is_between(other) ? 1 : 0);
+  return changed ? times > 0 : times == 2 && one > 0 && other > 0 && one < 1 && other < 1;
 }
 
 namespace {
@@ -171,23 +178,24 @@ struct Ways {
     first.push_back(nodes.count());
   }
 
-  std::vector<std::vector<int>> together() const {
+  std::vector<std::vector<int>> together(bool with_itself) const {
     std::vector<std::vector<int>> others(lattice.size());
     for (std::size_t one = 0; one < lattice.size(); ++one)
       for (std::size_t other = 0; other < lattice.size(); ++other)
-        if (one != other && lattice[one].meets(lattice[other])) others[one].push_back(static_cast<int>(other));
+        if (one == other ? with_itself : lattice[one].meets(lattice[other]))
+          others[one].push_back(static_cast<int>(other));
     return others;
   }
 };
 
 }  // namespace
 
-CrossingBorders passed_borders(const System& system, const Step& s) {
+CrossingBorders passed_borders(const System& system, const Step& s, bool of_their_own) {
   const BorderArrays& border = system.parts().border;
   CrossingBorders found;
-  if (system.parts().lattice.size() < 2) return found;
+  if (system.parts().lattice.size() < 2 && !of_their_own) return found;
   const Ways ways(system, s);
-  const std::vector<std::vector<int>> others = ways.together();
+  const std::vector<std::vector<int>> others = ways.together(of_their_own);
   for (const int segment : system.border()) {
     const int link = border.link[segment], own = border.lattice[segment];
     if (others[own].empty() || (link >= 0 && system.parts().link.kind[link] == LinkClass::shear)) continue;
@@ -197,7 +205,8 @@ CrossingBorders passed_borders(const System& system, const Step& s) {
     for (const int other : others[own]) {
       if (!box.meets(ways.lattice[other])) continue;
       for (int n = ways.first[other]; n < ways.first[other + 1]; ++n) {
-        if (!box.meets(box_of(ways.node[n])) || !crosses_segment(system, s, ways.node[n], segment)) continue;
+        if (n == border.a[segment] || n == border.b[segment] || !box.meets(box_of(ways.node[n]))) continue;
+        if (!crosses_segment(system, s, ways.node[n], segment)) continue;
         if (++found.pairs == 1) found.where = names_of(system, std::min(own, other), std::max(own, other));
       }
     }

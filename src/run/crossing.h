@@ -34,8 +34,8 @@ CrossingBorders crossing_borders(const System& system, double t, const State& y)
 // Cells of which all four sides are whole and go round the wrong way or cross each other.
 CrossingBorders cells_inside_out(const System& system, double t, const State& y);
 
-// Nodes that crossed a border segment of another lattice in the step.
-CrossingBorders passed_borders(const System& system, const Step& step);
+// Nodes that crossed a border segment of another lattice in the step, or of their own one too.
+CrossingBorders passed_borders(const System& system, const Step& step, bool of_their_own);
 
 // The first disc or node that in this step came from one side of a plate to another and no longer touches it: the plate
 // stepped over it. a = -1: none.

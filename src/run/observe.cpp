@@ -93,8 +93,8 @@ double Energies::residual(const Energies& start) const {
 }
 
 double Energies::supplied(const Energies& start) const {
-  return start.live() + std::fabs(plate_work - start.plate_work) + std::fabs(stiffening - start.stiffening) +
-         std::max(0.0, start.gravity - gravity) + std::max(0.0, start.load - load);
+  return start.live() + std::fabs(plate_work - start.plate_work) + std::max(0.0, start.gravity - gravity) +
+         std::max(0.0, start.load - load);
 }
 
 Observation observe(const System& system, double t, const State& y) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "physics/geometry.h"
 #include "run/step.h"
 
 namespace furrow {
@@ -13,6 +15,24 @@ struct Path {
 };
 
 inline double length(const Path& path) { return std::hypot(path.to.x - path.from.x, path.to.y - path.from.y); }
+
+// When this share of the step is over.
+inline Vec2 at(const Path& path, double share) {
+  return {path.from.x + share * (path.to.x - path.from.x), path.from.y + share * (path.to.y - path.from.y)};
+}
+
+// The share at which it is nearest to the origin.
+inline double nearest_share(const Path& path) { return nearest_on_segment({0, 0}, path.from, path.to, 0, false).share; }
+
+// The shares of the step at which the origin is on the line through two points that move, at most two; NaN: none.
+//   a(s) x b(s) = a x b + s (a x db + da x b) + s^2 da x db
+inline std::array<double, 2> crossing_shares(const Path& a, const Path& b) {
+  const auto cross = [](Vec2 p, Vec2 q) { return p.x * q.y - p.y * q.x; };
+  const Vec2 da = a.to - a.from, db = b.to - b.from;
+  const double c = cross(a.from, b.from), l = cross(a.from, db) + cross(da, b.from), q = cross(da, db);
+  const double root = std::sqrt(l * l - 4 * q * c), sum = -0.5 * (l + std::copysign(root, l));
+  return {sum / q, c / sum};
+}
 
 inline Vec2 body_place(const System& system, const State& y, int body) {
   return {y[system.x_of(body)], y[system.y_of(body)]};

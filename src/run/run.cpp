@@ -39,7 +39,8 @@ class Pace {
 };
 
 // What drove a run that has blown up, as far as the last good state shows.
-std::string driven_by(const System& system, double t, const State& y, int body, const std::string& method) {
+std::string driven_by(const System& system, double t, const State& y, int body, const std::string& method,
+                      double step) {
   const StiffPart bond = stiffest_bond(system, t, y, body);
   if (bond.name.empty()) return {};
   Sentence text;
@@ -47,7 +48,7 @@ std::string driven_by(const System& system, double t, const State& y, int body, 
   text << "; the stiffest that acts there is " << bond.name << ", omega " << bond.oscillator.omega
        << " rad/s, damping ratio " << bond.oscillator.zeta;
   const double limit = largest_stable_step(method, bond.oscillator);
-  if (std::isfinite(limit)) text << ", which by itself allows " << method << " a step of " << limit << " s";
+  if (limit < step) text << ", which by itself allows " << method << " a step of " << limit << " s";
   return text.str();
 }
 
@@ -95,7 +96,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
       plan.validity->book(at.time, observe(system, at.time, y));
     if (plan.validity && !plan.validity->failure().empty()) {
       end.ending = Ending::invalid;
-      end.reason = plan.validity->failure() + driven_by(system, at.time, y, -1, method.info().name);
+      end.reason = plan.validity->failure() + driven_by(system, at.time, y, -1, method.info().name, plan.step);
     }
     if (plan.stops_when_interrupted && interrupt_requested() && end.ending == Ending::finished)
       end.ending = Ending::stopped;
@@ -138,7 +139,7 @@ RunEnd run(System& system, Method& method, State& y, const RunPlan& plan, const 
     system.fit(y);
     if (plan.validity && system.keeps_ledger()) plan.validity->book(at.time, observe(system, at.time, y));
     end.ending = Ending::diverged;
-    end.reason = failure.what() + driven_by(system, at.time, y, body, method.info().name);
+    end.reason = failure.what() + driven_by(system, at.time, y, body, method.info().name, plan.step);
   } catch (const Interrupted&) {
     if (!plan.stops_when_interrupted) throw;
     if (before != &y) y = *before;

@@ -26,29 +26,16 @@ FURROW_WIDE bool all_finite_lanes(const double* y, std::size_t n) {
 }
 FURROW_WIDTHS(bool, all_finite, (const double* y, std::size_t n), (y, n))
 
-FURROW_WIDE bool all_near_lanes(const double* one, const double* other, const double* limit, std::size_t n) {
-  std::int64_t far = 0;
-  for (std::size_t i = 0; i < n; ++i) far += std::fabs(one[i] - other[i]) > limit[i] ? 1 : 0;
-  return far == 0;
-}
-FURROW_WIDTHS(bool, all_near, (const double* one, const double* other, const double* limit, std::size_t n),
-              (one, other, limit, n))
-
 }  // namespace
 
 StepCheck::StepCheck(const System& system) : system_(system) {
   const Parts& parts = system.parts();
-  size_ = parts.disc.radius;
-  for (const double radius : parts.disc.radius) least_radius_ = std::min(least_radius_, radius);
-  for (int n = 0; n < parts.node.count(); ++n) {
-    if (parts.node.body[n] < 0) continue;
-    size_.push_back(std::min(parts.node.spacing[n], least_radius_));
-  }
+  for (const double radius : parts.disc.radius) least_size_ = std::min(least_size_, radius);
+  for (const double spacing : parts.node.spacing) least_size_ = std::min(least_size_, spacing);
   for (const PlatePart& p : parts.plate) {
     quarter_side_ = std::min({quarter_side_, p.width / 4, p.height / 4});
     plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
   }
-  for (const double size : size_) least_size_ = std::min(least_size_, size);
 }
 
 std::string StepCheck::complaint(const Step& step, int& body) const {
@@ -58,7 +45,7 @@ std::string StepCheck::complaint(const Step& step, int& body) const {
     if (!all_finite(after.data() + first, last - first)) finite = false;
   });
   if (!finite) return not_finite(step, body);
-  if (!within_its_size(step) || !driven_within_a_disc(step)) {
+  if (!within_half_a_size(step)) {
     const Unseen unseen = unseen_meeting(system_, step);
     body = unseen.body;
     if (!unseen.what.empty()) return unseen.what;
@@ -67,7 +54,7 @@ std::string StepCheck::complaint(const Step& step, int& body) const {
 }
 
 std::string StepCheck::not_finite(const Step& step, int& body) const {
-  const std::size_t bodies = size_.size();
+  const auto bodies = static_cast<std::size_t>(system_.parts().bodies());
   for (std::size_t i = 0; i < bodies; ++i) {
     if (std::isfinite(step.after[i]) && std::isfinite(step.after[bodies + i])) continue;
     body = static_cast<int>(i);
@@ -76,13 +63,15 @@ std::string StepCheck::not_finite(const Step& step, int& body) const {
   return "a velocity or tangential spring is not finite";
 }
 
-// Driven nodes are no bodies.
-bool StepCheck::driven_within_a_disc(const Step& step) const {
+// If nothing moves by more than half of the smallest size, no two move against each other by more than that.
+bool StepCheck::within_half_a_size(const Step& step) const {
+  const double half = 0.5 * least_size_;
+  if (step.motion.moved_squared > half * half || plate_speed_ * step.h > half) return false;
   if (system_.solver().preparing()) return true;
   const std::vector<DrivePart>& drives = system_.parts().drive;
   return std::all_of(drives.begin(), drives.end(), [&](const DrivePart& d) {
     const double time = ramped(step.t, d.ramp).time - ramped(step.t - step.h, d.ramp).time;
-    return std::hypot(d.vx, d.vy) * time <= least_radius_;
+    return std::hypot(d.vx, d.vy) * time <= half;
   });
 }
 
@@ -96,23 +85,12 @@ std::string StepCheck::over_a_plate(const Step& step, int& body) const {
   if (over.a < 0) return {};
   body = of_disc(over.kind) ? over.a : parts.node.body[over.a];
   Sentence text;
-  text << "plate " << over.b << " stepped over " << parts.body_name(body) << " in one step of " << step.h
+  const std::string& name = parts.plate[over.b].name;
+  text << "plate " << (name.empty() ? std::to_string(over.b) : name) << " stepped over " << parts.body_name(body)
+       << " in one step of " << step.h
        << " s: it was on one side of it before and is on the other now, which it no longer touches; the step is too "
           "long";
   return text.str();
-}
-
-bool StepCheck::within_its_size(const Step& step) const {
-  if (step.motion.moved_squared <= least_size_ * least_size_) return true;
-  std::atomic<bool> all = true;
-  const std::size_t bodies = size_.size();
-  in_ranges(system_.threads(), bodies, [&](std::size_t first, std::size_t last) {
-    for (const std::size_t axis : {first, bodies + first}) {
-      if (!all_near(step.before.data() + axis, step.after.data() + axis, size_.data() + first, last - first))
-        all = false;
-    }
-  });
-  return all;
 }
 
 }  // namespace furrow

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "run/step.h"
 
 namespace furrow {
 
-// What moves further than its size in a step passes contacts unseen, if there is something to meet: the step is too
-// long, or the run has blown up.
+// Its states are finite, no contact was passed unseen (meeting.h), no plate skipped a body.
 class StepCheck {
  public:
   explicit StepCheck(const System& system);
@@ -20,15 +18,12 @@ class StepCheck {
  private:
   std::string not_finite(const Step& step, int& body) const;
   std::string over_a_plate(const Step& step, int& body) const;
-  bool within_its_size(const Step& step) const;
-  bool driven_within_a_disc(const Step& step) const;
+  bool within_half_a_size(const Step& step) const;
 
   const System& system_;
-  std::vector<double> size_;        // m, by body: how far it may move whatever is near
+  double least_size_ = infinity;    // m, of a disc's radius or a lattice's spacing
   double quarter_side_ = infinity;  // m, a quarter of the smallest side of a plate
-  double least_size_ = infinity;    // m
   double plate_speed_ = 0;          // m/s, of the fastest
-  double least_radius_ = infinity;  // m
 };
 
 }  // namespace furrow

@@ -175,8 +175,10 @@ Oscillator stiffest_impact(const Parts& parts, double speed) {
   std::vector<Striker> discs, nodes;
   for (int i = 0; i < parts.disc.count(); ++i)
     keep_lightest(discs, {parts.disc.radius[i], parts.disc.mass[i], parts.disc.material[i]});
-  for (int n = 0; n < parts.node.count(); ++n)
-    keep_lightest(nodes, {parts.node.contact_radius[n], parts.node.mass[n], parts.node.material[n]});
+  for (int n = 0; n < parts.node.count(); ++n) {
+    const double mass = parts.node.body[n] < 0 ? infinity : parts.node.mass[n];  // held: nothing moves it
+    keep_lightest(nodes, {parts.node.contact_radius[n], mass, parts.node.material[n]});
+  }
   Oscillator stiffest{0, 0};
   const auto meet = [&](int a, int b, double radius, double mass) {
     const ContactLaw& law = parts.law[parts.law_of(a, b)];
@@ -194,10 +196,11 @@ Oscillator stiffest_impact(const Parts& parts, double speed) {
       if (&a == &b && a.alone) continue;
       meet(a.material, b.material, a.radius * b.radius / (a.radius + b.radius), a.mass * b.mass / (a.mass + b.mass));
     }
-    for (const Striker& n : nodes) meet(a.material, n.material, a.radius, a.mass * n.mass / (a.mass + n.mass));
+    for (const Striker& n : nodes) meet(a.material, n.material, a.radius, 1 / (1 / a.mass + 1 / n.mass));
     meet_flat(a);
   }
-  for (const Striker& n : nodes) meet_flat(n);
+  for (const Striker& n : nodes)
+    if (std::isfinite(n.mass)) meet_flat(n);
   return stiffest;
 }
 

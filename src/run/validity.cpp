@@ -224,11 +224,13 @@ void Validity::look_for_crossings(const Step& step, const Survey& survey) {
 
 void Validity::look_at_borders(const Step& step) {
   if (system_.parts().lattice.empty()) return;
-  if (const CrossingBorders now = step.h > 0 ? passed_borders(system_, step) : CrossingBorders(); now.pairs > 0) {
+  const double way = std::sqrt(step.motion.moved_squared) + stiffest_->floor.drive_speed * step.h;
+  const CrossingBorders now = step.h > 0 ? passed_borders(system_, step, way > least_spacing_ / 4) : CrossingBorders();
+  if (now.pairs > 0) {
     passed_ += now.pairs;
     look(WatchKind::crossing_lattices, step.t, passed_, [&] { return now.where; });
   }
-  way_since_crossed_ += std::sqrt(step.motion.moved_squared) + stiffest_->floor.drive_speed * step.h;
+  way_since_crossed_ += way;
   if (started_ && ++since_crossed_ < borders_every && !(way_since_crossed_ > least_spacing_ / 4)) return;
   since_crossed_ = 0;
   way_since_crossed_ = 0;
@@ -290,14 +292,18 @@ void Validity::judge_energy(double t, const Observation& seen, bool early) {
   supplied_ = std::max(supplied_, e.supplied(start_) + plate_power_ * step_);
   most_lost_ = started_ ? std::max(most_lost_, e.lost()) : e.lost();
   const double residual = e.residual(start_), taken_back = most_lost_ - e.lost();
+  const double by_law = e.live() - supplied_;
   const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
   if (!(supplied_ > 0)) return;
   const auto judge = [&](WatchKind kind, double energy, const char* where) {
     const double share = energy / supplied_;
     if (energy > nothing && (!early || share > of(kind).ends_above)) look(kind, t, share, [&] { return where; });
   };
-  judge(WatchKind::energy_made, std::max(residual, 0.0) + taken_back,
-        taken_back > residual ? "heat that was booked has been taken back" : "");
+  const double by_method = std::max(residual, 0.0) + taken_back;
+  judge(WatchKind::energy_made, std::max(by_method, by_law),
+        by_law > by_method      ? "there is more than was given"
+        : taken_back > residual ? "heat was taken back"
+                                : "");
   judge(WatchKind::energy_lost, -residual, "");
 }
 

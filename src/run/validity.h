@@ -1,8 +1,8 @@
 // Whether a run stays where its laws and its method are valid: watched at every accepted step.
 //
 //   watch            measured                                                     warns above   ends the run above
-//   energy_made      residual of the ledger and heat that was taken back,              0.01            0.1
-//                    of all that the scene was given
+//   energy_made      residual of the ledger and heat that was taken back, or what      0.01            0.1
+//                    there is beyond what was given; of all that the scene was given
 //   energy_lost      the residual, where energy is missing                                0.01            1
 //   overlap          of the smaller radius                                            0.1             1
 //   behind_walls     discs whose centres are behind a wall, at once                    0              0

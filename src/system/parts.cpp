@@ -219,13 +219,13 @@ Parts make_parts(const Scene& scene) {
   for (const Lattice& l : lattices) LatticeBuilder(scene, l, parts).build();
   for (const Wall& w : scene.wall) {
     const Vec2 normal = unit_vector(w.normal);
-    parts.wall.push_back({w.point.x, w.point.y, normal.x, normal.y, index_of_material(scene, w.material)});
+    parts.wall.push_back({w.point.x, w.point.y, normal.x, normal.y, index_of_material(scene, w.material), w.name});
   }
   for (const Plate& p : scene.plate) {
     if (!p.lower_edge)
       throw std::invalid_argument("plate '" + p.name + "' has no lower edge yet: prepare the scene first");
     parts.plate.push_back({p.left_edge, *p.lower_edge, p.width, p.height, p.velocity.x, p.velocity.y, p.ramp,
-                           index_of_material(scene, p.material)});
+                           index_of_material(scene, p.material), p.name});
   }
   set_options(scene, parts);
   if (parts.tight_plates) join_plates(parts);

@@ -60,6 +60,7 @@ struct WallPart {
   double px, py;  // m, a point of it
   double nx, ny;  // unit normal, towards the discs
   int material;
+  std::string name{};
 };
 
 struct PlatePart {
@@ -67,6 +68,7 @@ struct PlatePart {
   double vx, vy;                      // m/s
   double ramp;                        // s, in which it reaches them
   int material;
+  std::string name{};
   // Where plates are tight, see system/held_faces.h:
   Rectangle goes_on{};       // m, how far behind each of its edges
   std::vector<int> flush{};  // plates

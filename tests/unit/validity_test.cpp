@@ -209,7 +209,7 @@ TEST(Validity, APlateThatStepsOverABodyEndsTheRun) {
   scene.plate = {plate({0, -0.1}, 5e-4, 0.2, {5, 0})};
   const WatchedRun r = watched(scene, "pece", 1e-3, 0.01);
   EXPECT_EQ(r.end.ending, Ending::diverged);
-  EXPECT_NE(r.end.reason.find("stepped over disc 0"), std::string::npos) << r.end.reason;
+  EXPECT_NE(r.end.reason.find("disc 0 and plate 0 met within one step"), std::string::npos) << r.end.reason;
   scene.disc[0].position.y = 0.3;  // out of its way
   EXPECT_EQ(watched(scene, "pece", 1e-3, 0.01).end.ending, Ending::finished);
 }
