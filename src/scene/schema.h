@@ -115,8 +115,8 @@ void describe(auto& v, Output& o) {
 void describe(auto& v, Allow& a) {
   v("energy_made", a.energy_made,
     {"-", positive, "0.2",
-     "Energy that the method or a law has made, of all that the scene was given: the residual of the ledger, and heat "
-     "that was taken back."});
+     "Energy that the method or a law has made, of all that the scene was given: the residual of the ledger, heat "
+     "that was taken back, or what there is beyond what was given."});
   v("energy_lost", a.energy_lost, {"-", positive, "0.5", "Energy that is missing in the ledger, of the same."});
   v("overlap", a.overlap, {"-", positive, "0.5", "Greatest overlap, of the smaller radius."});
   v("step", a.step, {"-", positive, "0.8", "Time step, of the largest stable one."});
