@@ -33,7 +33,7 @@ const char* const bounded =
 const Sides sides[] = {
     {"single_spring", 0, 100, 1.03, "link from node", soon},
     {"cantilever", 0, 1, 1.03, "link from node", soon},
-    {"resting disc", 0, 20, 1.1, "contact of disc 0 and wall 0",
+    {"resting disc", 0, 20, 1.1, "contact of disc 0 and wall floor",
      "a contact that opens is softer: a little above the limit the disc hops on and on in one orbit"},
     {"scenario_1", 0.03, 1.2, 4.5, "contact of node", bounded},
     {"scenario_2", 0, 0.05, 4, "disc ", bounded},
