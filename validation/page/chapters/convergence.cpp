@@ -153,10 +153,6 @@ Report convergence(const Shelf& shelf) {
          .blocks = blocks});
   }
   report.append(details);
-  report.claim({.text = "At the paper's step these of its numbers do not depend on the step, the others do.",
-                .value = std::to_string(all.at_papers_step) + " of " + std::to_string(all.numbers),
-                .aim = "fewer than all, or this page has no finding",
-                .holds = all.at_papers_step < all.numbers});
   return report;
 }
 
