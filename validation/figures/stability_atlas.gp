@@ -18,8 +18,6 @@ top = 1 - first / real(high)
 tall = 165.0 / high
 # Past the last damping ratio a contact creeps, and the limit falls as its inverse.
 beyond(k) = sprintf("stats $theory_%d using (last_zeta = $1, last_limit = $2, 1) nooutput", k)
-# Names of points stand clear of the lines behind them.
-set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.3, 0.3
 set multiplot
 do for [k = 1:panels] {
   column = (k - 2) % columns
@@ -27,7 +25,7 @@ do for [k = 1:panels] {
   large = k == 1
   if (large) {
     set lmargin at screen left
-    set rmargin at screen 0.97
+    set rmargin at screen 0.78  # names of points stand beside it
     set tmargin at screen 1 - 30.0 / high
     set bmargin at screen 1 - (first - 55.0) / high
   } else {
@@ -63,8 +61,7 @@ do for [k = 1:panels] {
     $measured_%d using 1:2 with points pt 6 ps 0.55 * size lw 1.3 lc rgb '#d55e00' title 'blow-up of a link', \
     $measured_%d using 1:3 with points pt 2 ps 0.4 * size lw 1 lc rgb '#000000' title 'blow-up of a contact'", k, k, k, k).(marks == 0 ? '' : ", \
     $points using 1:2 with points pt 7 ps (large ? 0.7 : 0.35) lc rgb '#009e73' title 'scenes at the step of the paper'").(marks == 0 || !large ? '' : ", \
-    $points using ($1 > 20 ? $1 : NaN):2:3 with labels boxed right offset -0.9, 0.1 font ',13' tc rgb '#00734f' notitle, \
-    $points using ($1 > 20 ? NaN : $1):2:3 with labels left offset 0.9, -0.1 font ',13' tc rgb '#00734f' notitle")
+    $points using 1:2:3 with labels left offset 0.9, -0.1 font ',13' tc rgb '#00734f' notitle")
 }
 # The key, below all panels.
 set lmargin at screen 0
