@@ -11,12 +11,10 @@
 
 namespace furrow {
 namespace {
-
 constexpr long balance_every = 200, closely_every = 25;  // steps, at the energy
 constexpr long borders_every = 50;                       // steps, at what crosses
 constexpr double renew_beyond = 1.1;                     // times what was there when it was looked at last
 constexpr double judge_beyond = 1.25;                    // times the rate that the step was judged by
-
 struct Rule {
   WatchKind kind;
   const char* name;
@@ -74,7 +72,6 @@ std::string allowance(const std::string& method, const StiffPart& part, double l
        << ", its neighbours held; half of that if they move against it";
   return text.str();
 }
-
 }  // namespace
 
 struct Validity::Stiffest {
@@ -132,7 +129,6 @@ void Validity::history(HistoryVisitor& visit) {
   visit("reach", system_.survey().reach);
 }
 
-// Keeps the worst.
 template <class Where>
 void Validity::look(WatchKind kind, double t, double value, const Where& where) {
   Watched& w = of(kind);
@@ -145,7 +141,6 @@ void Validity::look(WatchKind kind, double t, double value, const Where& where) 
   if (w.verdict() != before) say(kind, w.verdict());
 }
 
-// Warns once, and fails the run once.
 void Validity::say(WatchKind kind, Verdict verdict) {
   if (verdict < Verdict::warned || !failure_.empty()) return;
   const Watched& w = of(kind);
@@ -186,7 +181,6 @@ void Validity::look_at_energy(const Step& step) {
 
 void Validity::look_at_speed(const Step& step) {
   const auto [moved_squared, speed_squared] = step.motion;
-  // A disc that is closer to a border than it and the border may move in a step, or in the next one at twice the speed.
   const double squared = std::max(speed_squared, stiffest_->floor.drive_speed * stiffest_->floor.drive_speed);
   system_.survey().reach = 4 * std::sqrt(std::max(moved_squared, squared * step_ * step_));
   if (!(speed_squared > extremes_.speed * extremes_.speed)) return;
@@ -240,7 +234,6 @@ void Validity::look_at_borders(const Step& step) {
        [&] { return found.pairs > 0 ? found.where : turned.where; });
 }
 
-// The spectrum of the contacts changes with how many there are and how deep.
 void Validity::look_at_step(const Step& step, const Survey& survey) {
   const bool deeper = survey.seen.overlap > renew_beyond * stepped_overlap_;
   const bool more = survey.seen.contacts > renew_beyond * stepped_contacts_;
@@ -284,11 +277,9 @@ void Validity::book(double t, const Observation& seen) {
   judge_energy(t, seen, false);
 }
 
-// Early, what a first-order method is off in its n-th step, a share of 1/n, is not yet worth a warning.
 void Validity::judge_energy(double t, const Observation& seen, bool early) {
   const Energies& e = seen.energy;
   if (!started_) start_ = e;
-  // What plates will do in the step in which they touch the method cannot know yet.
   supplied_ = std::max(supplied_, e.supplied(start_) + plate_power_ * step_);
   most_lost_ = started_ ? std::max(most_lost_, e.lost()) : e.lost();
   const double residual = e.residual(start_), taken_back = most_lost_ - e.lost();
@@ -306,5 +297,4 @@ void Validity::judge_energy(double t, const Observation& seen, bool early) {
                                 : "");
   judge(WatchKind::energy_lost, -residual, "");
 }
-
 }  // namespace furrow

@@ -107,16 +107,23 @@ class Validity {
 
  private:
   Watched& of(WatchKind kind) { return watch_[static_cast<std::size_t>(kind)]; }
+  // Keeps the worst.
   template <class Where>
   void look(WatchKind kind, double t, double value, const Where& where);
+  // Warns once, and fails the run once.
   void say(WatchKind kind, Verdict verdict);
   void look_at_energy(const Step& step);
+  // Early, what a first-order method is off in its n-th step, a share of 1/n, is not yet worth a warning. What plates do
+  // in the step in which they touch the method cannot know yet.
   void judge_energy(double t, const Observation& seen, bool early);
+  // Sets how far the survey looks: a disc that is closer to a border may reach it in a step, or in the next one at twice
+  // the speed.
   void look_at_speed(const Step& step);
   void look_at_contacts(double t, const Survey& survey);
   void look_at_plates(double t, const Survey& survey);
   void look_for_crossings(const Step& step, const Survey& survey);
   void look_at_borders(const Step& step);
+  // Again when contacts have come or deepened: the spectrum changes with how many there are and how deep.
   void look_at_step(const Step& step, const Survey& survey);
   void judge_step();
   void look_at_arrival(double t);
