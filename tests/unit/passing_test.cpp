@@ -1,17 +1,11 @@
 // What passes through something between two steps is seen, wherever its places before and after the step are.
 #include <gtest/gtest.h>
 
+#include "soft_scene.h"
 #include "watched_run.h"
 
 namespace furrow::test {
 namespace {
-
-Scene soft_scene() {
-  Scene scene = empty_scene();
-  scene.model.gravity = 0;
-  for (Material& m : scene.material) m.young = 1e4;
-  return scene;
-}
 
 // 9 mm a step: before it and after it the disc touches the plate, 1 mm thick, from the two sides.
 TEST(Passing, ADiscWhoseCentreIsInAPlateAtNoEndOfAStepHasGoneThrough) {

@@ -1,17 +1,11 @@
 // What is in each other only between the ends of a step is seen, on any way and whatever moves; what only touches is not.
 #include <gtest/gtest.h>
 
+#include "soft_scene.h"
 #include "watched_run.h"
 
 namespace furrow::test {
 namespace {
-
-Scene soft_scene() {
-  Scene scene = empty_scene();
-  scene.model.gravity = 0;
-  for (Material& m : scene.material) m.young = 1e4;
-  return scene;
-}
 
 // 0.9 m a step: a disc of 1 m and one of 10 mm that it grazes; two of 10 mm at 0.99 of that, along each axis.
 TEST(UnseenMeeting, ADiscStepsOverNoneHoweverSmallAndNotOnASlant) {
