@@ -46,8 +46,9 @@ class Method {
   // The right-hand side has jumped: the method must forget its history.
   virtual void restart() {}
 
-  // Only the state has changed: a sliding contact's tangential spring returned to its limit. The forces are the same,
-  // the rates of the springs and of the ledger are not.
+  // Only the state has changed: tangential or rolling springs were shortened to their limits. Where a contact slides
+  // its force stays the same; where its damper still held it, the force changes by what the damper held, which shrinks
+  // with the step. The rates of the ledger change too.
   virtual void state_changed() {}
 
   // Hands over the rates at the start of the next step, once for each step, if the caller knows them; the method saves

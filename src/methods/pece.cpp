@@ -10,10 +10,11 @@
 //
 // r = 1 gives the usual 3/2 and 1/2. The first step, and the first after a restart, takes f_(n-1) = f_n (Heun). Order 2
 // at any step ratio. pece and pecece evaluate f_n again from the accepted state, which a jump may have changed; pec
-// keeps the rate of its prediction, where a sliding contact has the same force and the same slip, so only the rates of
-// the energy ledger are a step late there. Stable for h lambda from minus the limit to 0 on the real axis, up to
-// |h lambda| on the imaginary one. Sources: Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al.
-// 2004, as the paper cites it; the forms: Hairer, Norsett and Wanner, Solving ODEs I, III.1 and III.8.
+// keeps the rate of its prediction: of a sliding contact force and slip are the same, so only the rates of the energy
+// ledger are a step late there; of a spring that was shortened while its damper held the contact, the force is too.
+// Stable for h lambda from minus the limit to 0 on the real axis, up to |h lambda| on the imaginary one. Sources:
+// Bashforth and Adams 1883; Moulton 1926; the combination after Graeff et al. 2004, as the paper cites it; the forms:
+// Hairer, Norsett and Wanner, Solving ODEs I, III.1 and III.8.
 #include "kernel/passes.h"
 #include "methods/method.h"
 

@@ -4,7 +4,7 @@
 //   1/E* = (1 - nu_i^2)/E_i + (1 - nu_j^2)/E_j
 //   1/G* = (2 - nu_i)/G_i + (2 - nu_j)/G_j
 //   1/R* = 1/R_i + 1/R_j
-//   1/m* = 1/m_i + 1/m_j                            of bodies; the shares of a segment's nodes: system/contact.h
+//   1/m* = 1/m_i + 1/m_j                            of two bodies; of a body and a lattice: system/contact.h
 //
 //   Fe = 4/3 E* sqrt(R*) d^(3/2)
 //   Sn = 2 E* sqrt(R* d)
@@ -14,14 +14,22 @@
 //   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu max(0, Fn)
 //   M  = -mu_r R* max(0, Fn) w / sqrt(w^2 + w0^2)
 //
-// with overlap d >= 0 (0 by rounding, between discs), approach speed d', slip speed vt, tangential displacement xi,
-// relative spin w = omega_i - omega_j. R* serves as the rolling radius too. Which radius, mass, arm and normal each
-// kind of contact has: system/contact.h. The life of xi: system/discrete.h. What follows for an impact:
-// physics/impact.h.
+//   E, nu, G = E/(2 (1 + nu))   Young's modulus (Pa), Poisson's ratio (-), shear modulus (Pa) of a material
+//   R, m                        radius (m) and mass (kg) of a body
+//   d >= 0, d'                  overlap (m; 0 by rounding, between discs) and approach speed (m/s)
+//   xi, vt                      tangential displacement (m) and slip speed (m/s)
+//   w = omega_i - omega_j       relative spin (rad/s); what is no disc has none (system/contact.h)
+//   w0                          rolling_smoothing (rad/s), above 0: the moment holds nothing still
+//   beta, mu, mu_r              damping factor, friction and rolling friction of a pair of materials (-)
 //
-// Sources: Hertz 1882; Mindlin 1949; damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239) in the form
-// of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525). Valid for small overlap against the radius; the soil of the
-// paper (README.md) is so soft that d reaches 1.6 R, where this is a penalty law.
+// Spheres touch by this law; discs of a given depth do so too, for the paper gives discs the law of spheres. R* serves
+// as the rolling radius too. Which radius, mass, moment arm and normal each kind of contact has: system/contact.h. The
+// life of xi: system/discrete.h. What follows for an impact: physics/impact.h.
+//
+// Sources: Hertz 1882; Mindlin 1949; normal damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239),
+// both dampers in the form of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525); the rolling moment is the paper's
+// (README.md), with its sign function smoothed over w0. Valid for small overlap against the radius; the soil of the
+// paper is so soft that d reaches 1.6 R, where this is a penalty law.
 #pragma once
 
 #include <cmath>
@@ -37,7 +45,7 @@ struct Elastic {
   bool rigid = false;  // its terms in 1/E* and 1/G* are zero
 };
 
-// Constants of a pair of materials.
+// Constants of a pair of materials, of which one at most is rigid: of two E* would be infinite (scenes refuse them).
 struct ContactLaw {
   double modulus = 0;        // Pa, E*
   double shear_modulus = 0;  // Pa, G*
@@ -136,7 +144,7 @@ struct TouchForce {
          std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
 }
 
-// The whole law. rolling_smoothing: rad/s, w0.
+// The law above, without options. rolling_smoothing: rad/s, w0.
 inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
   TouchForce f{};
   press(law, c, f);
@@ -155,7 +163,7 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
 struct TouchPowers {
   double viscous;     // by the normal damper
   double sticking;    // by the tangential damper, while the contact sticks
-  double sliding;     // by friction while it slides, less what xi' = vt stores; the rest comes with a jump
+  double sliding;     // by friction while it slides: -Ft vt without St xi vt, which the spring stores until a jump
   double rolling;     // by rolling friction
   double stiffening;  // given to the tangential spring
 };

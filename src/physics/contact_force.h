@@ -1,5 +1,5 @@
-// The law of one contact with its options: what the reference computes with, and the kernel where vectors do not carry
-// the option. Without options it is hertz_mindlin() of physics/contact.h.
+// The law of one contact with its options. The reference computes with it; the kernel too, contact by contact, if a law
+// of the scene has an option: its vectors have none. Without options it is hertz_mindlin() of physics/contact.h.
 #pragma once
 
 #include "physics/contact.h"

@@ -1,22 +1,25 @@
 // The ways to give the damping of a contact, and what its tangential spring holds after it has slipped.
 //
-//   Fv = Cn d',    Cn = 2 sqrt(5/6) beta sqrt(Sn m*) + cn    of the linear law with 2 beta in place of 2 sqrt(5/6) beta
-//   Fv,t = -Ct vt,  Ct = 2 sqrt(5/6) beta sqrt(St m*) + ct    part of Ft
+//   Fv = Cn d',     Cn = 2 sqrt(5/6) beta sqrt(Sn m*) + cn    N s/m
+//   Fv,t = -Ct vt,  Ct = 2 sqrt(5/6) beta sqrt(St m*) + ct    N s/m; Fv,t is a part of Ft
+//
+// The linear law has 2 beta in place of 2 sqrt(5/6) beta.
 //
 //   damping_factor  beta
 //   restitution     beta = -ln e / sqrt(ln^2 e + pi^2)                     exact if the contact may pull
-//   tsuji_alpha     beta = alpha / sqrt(5)                                 not for the linear law
+//   tsuji_alpha     beta = alpha / sqrt(5)                                 not for the linear law; Ct stays as above
 //   damping         cn, and ct, its own or the same; then beta = 0
 //
-// After a step |xi| is returned to mu Fn/St (`elastic`), or, where the contact slides, to what leaves the limit
-// together with the damper (`less_viscous`; as LAMMPS does):
+// After a step a spring that is stretched beyond its limit is shortened. There are two rules:
 //
-//   xi = -(Ft + Ct vt)/St,  |Ft| = mu Fn
+//   elastic        |xi| <= mu Fn/St                        whether the contact slides or its damper still holds it
+//   less_viscous   xi = -(Ft + Ct vt)/St,  |Ft| = mu Fn    where the contact slides: spring and damper together reach the
+//                                                          limit, as in LAMMPS; a spring that was never stretched stays
+//                                                          at zero
 //
-// A spring that was never stretched stays at zero.
-//
-// Sources: Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239), whose viscous force is alpha sqrt(m* K) d^(1/4) d'
-// with Fe = K d^(3/2); Antypov and Elliott 2011 (Europhys. Lett. 94, 50004) for the restitution; Luding 2008 (Granular
+// Sources: Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239), whose normal viscous force is
+// alpha sqrt(m* K) d^(1/4) d' with Fe = K d^(3/2), and whose tangential damper is the normal one: alpha is theirs, Ct is
+// not; Antypov and Elliott 2011 (Europhys. Lett. 94, 50004) for the restitution; Luding 2008 (Granular
 // Matter 10, 235) for the second rule after slip.
 #pragma once
 

@@ -1,6 +1,7 @@
-// Mass and inertia of a disc in its two readings. The paper does not say which one it uses.
+// Volume V (m^3) and moment of inertia I (kg m^2) of a disc of radius R (m), in its two readings. The paper (README.md)
+// does not say which one it uses. The mass is m = density V.
 //
-//   disc    V = pi R^2 b
+//   disc    V = pi R^2 depth
 //           I = m R^2/2
 //   sphere  V = 4/3 pi R^3
 //           I = 2/5 m R^2

@@ -21,9 +21,9 @@ inline double elastic_energy(const ContactLaw& law, double reduced_radius, doubl
   return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
 }
 
-// -: (d_damped/d_elastic)^(5/4), of the linear law d_damped/d_elastic: greatest overlaps of a head-on impact with and
-// without damping. In d^(5/4) the law of Hertz is a linear oscillator of damping ratio beta (Antypov and Elliott 2011, EPL
-// 94, 50004), whose first peak is
+// -: how much lower a damped impact peaks than an elastic one, in the quantity that is a linear oscillator of damping
+// ratio beta. Of the linear law that is d, so this is d_damped/d_elastic; of Hertz's it is d^(5/4) (Antypov and Elliott
+// 2011, EPL 94, 50004), so this is (d_damped/d_elastic)^(5/4). Its first peak is
 //
 //   exp(-beta/r atan(r/beta)),    r = sqrt(1 - beta^2)
 //   exp(-beta/r artanh(r/beta)),  r = sqrt(beta^2 - 1),  beyond beta = 1

@@ -5,8 +5,10 @@
 //   F_c = -c (v . e) e   axial
 //   F_c = -c v           full
 //
-// The paper's Eq. (1) has the opposite sign as printed, under which a stretched spring pushes its ends away from each
-// other; its Eq. (2) as printed is the `full` form, which brakes a rigid rotation, while its text says the axial one.
+// with stiffness k (N/m), rest length l (m) and damping c (N s/m); |r| > 0, for ends in one place have no direction.
+// The paper's (README.md) Eq. (1) has the opposite sign as printed, under which a stretched spring pushes its ends away
+// from each other; its Eq. (2) as printed is the `full` form, which brakes a rigid rotation, while its text says the
+// axial one.
 #pragma once
 
 #include <cmath>
@@ -18,7 +20,7 @@ namespace furrow {
 struct LinkForce {
   double spring;   // N, tension positive
   double fx, fy;   // N, on node i, spring and damper together
-  double damping;  // W, taken by the damper
+  double damping;  // W, what the damper dissipates
 };
 
 // r (m) and v (m/s) of node i against node j; rest length m, stiffness N/m, damping N s/m.

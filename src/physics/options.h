@@ -5,10 +5,18 @@
 //   after_slip   what a tangential spring holds after it has slipped: damping.h
 //   rolling      rolling_spring.h
 //
-// One more law: a header with its stiffnesses and elastic force; here its name; contact_force.h (force, powers, stored
-// energy), impact.h (what follows for an impact); system/laws.cpp (its constants from a scene); scene/schema.h (its key),
-// scene/validate.cpp and effects.cpp (what it needs and ignores); program/explain_law.cpp; export/lammps_law.cpp. The
-// kernel takes it from contact_force.h.
+// One more law takes
+//
+//   physics/    a header with its stiffnesses and elastic force, as linear.h has them; here its name; contact_force.h:
+//               its force, powers, stored energy, and what its springs hold as a contact opens; impact.h: its impact;
+//               rolling_spring.h, whose stiffness grows with Sn
+//   system/     laws.cpp: its constants, from a scene
+//   scene/      schema.h: its key; validate.cpp and effects.cpp: what it needs and ignores; damping.cpp
+//   the others  program/explain_law.cpp: its words; export/lammps_law.cpp and deviations.cpp: its name elsewhere
+//
+// The kernel takes it from contact_force.h. What every law shares, and a law with adhesion (JKR) would have to change:
+// two bodies touch where they overlap, d > 0; a contact without overlap has no stiffness of its own; friction is limited
+// by mu max(0, Fn); and the terms 1/4 (...) d'/d of the ledger are of stiffnesses that grow with sqrt(d).
 #pragma once
 
 namespace furrow {

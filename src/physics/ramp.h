@@ -1,4 +1,4 @@
-// A speed v that is reached in a time T from rest, so that a body that stands in contact does not hit at t = 0.
+// A speed v (m/s) that is reached in a time T from rest, so that a body that stands in contact does not hit at t = 0.
 //
 //   x(t) = v t^2/(2 T),  x'(t) = v t/T    for t < T
 //   x(t) = v (t - T/2),  x'(t) = v        from T on; T = 0: from the start
@@ -6,8 +6,9 @@
 
 namespace furrow {
 
+// Place and speed for v = 1.
 struct Ramped {
-  double time;   // s, x/v
+  double time;   // s, x/v: the place is v times this
   double speed;  // -, x'/v
 };
 

@@ -1,17 +1,18 @@
-// Mindlin's tangential spring with its force rescaled while the contact unloads.
+// Mindlin's tangential spring, whose force falls with the contact's stiffness while d shrinks and does not grow with it
+// while d grows.
 //
-//   F  = St xi, the force of the tangential spring
-//   F' = St vt + (F - F*) St'/St   while d grows: what is there already does not grow with St; F* = F, at most mu Fe
+//   F  = St xi                     what the spring is loaded with; the spring's part of Ft (physics/contact.h) is -F
+//   F' = St vt + (F - F*) St'/St   while d grows: what is there already stays; F* is F within |F*| <= mu Fe
 //   F' = St vt + F St'/St          while d shrinks: a smaller contact cannot hold it
 //
-// which in xi is, with St'/St = d'/(2 d),
+// which in xi (m) is, with St'/St = d'/(2 d),
 //
 //   xi' = vt - xi* d'/(2 d)  while d' > 0,  xi* = xi within |xi*| <= mu Fe/St = mu E* d/(6 G*)
 //   xi' = vt                 otherwise
 //
 // Why xi*: xi may be beyond mu Fe/St, within a step or by the damped force Fn, and d as small as round-off. Then
-// xi d'/(2 d) has no bound; xi* d'/(2 d) is at most mu E* d'/(12 G*). What is beyond mu Fn/St is taken away after the
-// step, see contact.h.
+// xi d'/(2 d) has no bound; xi* d'/(2 d) is at most mu E* d'/(12 G*). After the step the spring is shortened by the rules
+// of physics/damping.h, as any other.
 //
 // Mindlin's spring without rescaling is supplied with energy as it stiffens: after an impact that sticks the slip is up
 // to 1/cos(pi/10) = 1.05 times that before, of spheres with nu < 1/4 (verification/sticking_impact.cpp). This spring
@@ -30,7 +31,7 @@ namespace furrow {
 
 inline bool loads(const Touch& c) { return c.approach > 0 && c.overlap > 0; }
 
-// m: xi*.
+// m: xi*. The limit is that of Fe, for Fn has the damper's part, which jumps at an impact.
 inline double held_spring(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   return returned_spring(law.friction * f.elastic, f, c.spring);
 }

@@ -3,12 +3,14 @@
 //   theta' = w = omega_i - omega_j
 //   kr = 3 Sn mu_r^2 R*^2, or as given
 //   cr = 2 eta_r sqrt(Ir kr)
-//   Ir = 1/(1/(I_i + m_i R_i^2) + 1/(I_j + m_j R_j^2)),  of what does not spin the second term is 0
+//   Ir = 1/(1/(I_i + m_i R_i^2) + 1/(I_j + m_j R_j^2)),  without the second term if b is no disc
 //   M  = -kr theta - cr w,  |M| <= mu_r R* max(0, Fn)
 //
-// After each step |theta| is returned to mu_r R* Fn/kr. The factor 3 is that of discs: springs spread over a width B give
-// the moment Sn B^2/12 per angle, and B = 6 mu_r R* lets it reach its limit, Fn B/6, where the pressure at one edge
-// vanishes. Spheres, with a round contact of that width, would have 2.25; 3 is taken for both.
+// theta: rad; kr: N m; cr: N m s; Ir: kg m^2. After each step |theta| is limited to mu_r R* Fn/kr.
+//
+// The factor 3 is that of discs: springs spread over a width B give the moment Sn B^2/12 per angle, and B = 6 mu_r R*
+// lets it reach its limit, Fn B/6, where the pressure at one edge vanishes. Spheres, with a round contact of that width,
+// would have 2.25, and a limit of Fn B/8; 3 is taken for both.
 //
 // Source: model C of Ai, Chen, Rotter and Ooi 2011 (Powder Technol. 206, 269), whose viscous moment is not limited below
 // full mobilisation, and multiplied by a factor beyond; here the limit is that of the sum, as for sliding.

@@ -1,10 +1,10 @@
 // Stress of a disc from the forces at its contacts.
 //
 //   sigma     = (1/V) sum over contacts of b (x) F, symmetric part
-//   von Mises = sqrt(sxx^2 - sxx syy + syy^2 + 3 sxy^2), in the plane
+//   von Mises = sqrt(sxx^2 - sxx syy + syy^2 + 3 sxy^2), of plane stress: szz = 0
 //
 // b points from the centre to the contact point, F acts on the disc, V is its volume. Tension is positive.
-// Source: Rojek, Karlis, Malinowski and Beer 2013, as the paper cites it.
+// Source: Rojek, Karlis, Malinowski and Beer 2013, as the paper (README.md) cites it.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
-// One contact: where two parts touch, how they move there, and what the law answers.
+// One contact: where two parts touch, how they move there, and what the law answers. Two centres in one place have no
+// direction: the forces are then NaN, and the run ends as diverged.
 #include <cmath>
 
 #include "physics/geometry.h"
@@ -85,7 +86,7 @@ Proximity to_lattice(const Instant& now, const ContactId& pair) {
   return found;
 }
 
-// ---- what is reduced: see the table in system/contact.h ----
+// ---- R* and m*: see the table in system/contact.h ----
 
 double radius_of(const Parts& parts, const ContactId& pair) {
   const double a = of_disc(pair.kind) ? parts.disc.radius[pair.a] : parts.node.contact_radius[pair.a];
@@ -94,7 +95,7 @@ double radius_of(const Parts& parts, const ContactId& pair) {
   return a * b / (a + b);
 }
 
-// 1/kg, of a node that takes this share of the force.
+// 1/kg: what a node that takes this share of the force adds to 1/m*.
 double yielding(const Parts& parts, int node, double share) {
   return parts.node.body[node] < 0 ? 0 : share * share / parts.node.mass[node];
 }
@@ -122,7 +123,7 @@ int law_of(const Parts& parts, const ContactId& pair) {
 
 // ---- kinematics ----
 
-// How b moves at the contact, without the part from its spin; the spin itself goes along.
+// The velocity of b at the contact, without what its spin adds there, and the spin. Only discs have a spin.
 Body surface_b(const Instant& now, const ContactId& pair, const Proximity& near) {
   if (pair.kind == disc_disc) return disc_of(now, pair.b);
   if (of_plate(pair.kind)) {
@@ -135,7 +136,8 @@ Body surface_b(const Instant& now, const ContactId& pair, const Proximity& near)
   return {{}, {(1 - near.share) * i.x + near.share * j.x, (1 - near.share) * i.y + near.share * j.y}, 0};
 }
 
-// m: to the contact point. Two discs share the overlap, so that their arms add up to the distance of the centres.
+// m: to the contact point. By default two discs share the overlap, so that their arms add up to the distance of the
+// centres, and angular momentum is kept; with `moment_arm = "radius"` it is not.
 double moment_arm(const Instant& now, const ContactId& pair, int disc, double overlap) {
   const double share = pair.kind == disc_disc ? now.parts.pair_arm_shortening : now.parts.flat_arm_shortening;
   return now.parts.disc.radius[disc] - share * overlap;

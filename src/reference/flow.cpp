@@ -167,7 +167,7 @@ void flow(const Instant& now, State& rates) {
   accelerate(now, sums, rates);
   for (const Contact& c : touching) {
     if (c.slot < 0) continue;
-    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi', vt but where rescaled
+    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi' = vt, or as rescaled
     if (rolls_on_spring(parts.law[c.law])) rates[at.turn_of(c.slot)] = c.touch.spin;  // theta' = w
   }
   for (const DiscreteState::Held& held : now.discrete.held) {

@@ -1,4 +1,5 @@
-// After each accepted step: slots handed out and given back, springs returned to the Coulomb limit, links torn.
+// After each accepted step: faces of plates kept, slots handed out and given back, springs returned to the Coulomb limit,
+// a survey for the run's watches, links torn.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -108,9 +109,9 @@ class Heat {
   std::vector<double> of_block_;
 };
 
-// |xi| <= mu Fn / St, or xi as physics/damping.h has it after slip; |theta| <= mu_r R* Fn / kr. The energy that this
-// frees is heat of friction and of rolling (negative where the damper's share stretches a spring). Without a touch a
-// spring holds nothing: what it held is heat too.
+// |xi| and |theta| are limited as physics/damping.h and physics/rolling_spring.h have it. The energy that this frees is
+// heat of friction and of rolling (negative where `less_viscous` stretches a spring). Without a touch a spring holds
+// nothing: what it held is heat too.
 bool return_springs(const Instant& now, State& y) {
   Heat sliding(now, friction_work), rolling(now, rolling_work);
   bool changed = false;
@@ -167,7 +168,8 @@ double energy_on_lattices(const Instant& now) {
   return energy;
 }
 
-// Links over their strength. What energy the contacts with the border lose by its change is booked as torn.
+// Links over their strength. What energy the contacts with the border lose by its change is booked as torn: `now` sees
+// `discrete`, so it has the old border before the change and the new one after it.
 std::vector<Tear> tear_links(const Instant& now, DiscreteState& discrete, State& y) {
   const LinkArrays& link = now.parts.link;
   std::vector<Tear> tears;
@@ -197,8 +199,8 @@ bool Reference::torn(int link) const { return is_torn(discrete_, link); }
 Reference::Reference(const std::shared_ptr<const Parts>& parts)
     : Solver(parts, make_layout(*parts)), discrete_(initial_discrete_state(*parts, layout_)) {}
 
-// First held faces, then slots, then springs, then the survey, then tears: springs are cut to the limit of a torn
-// border at the next jump.
+// In this order: first held faces, then slots, then springs, then the survey, then tears: springs are cut to the limit
+// of a torn border at the next jump.
 JumpReport Reference::jump(double t, State& y) {
   const Instant now{*parts_, layout_, discrete_, t, y};
   JumpReport report;

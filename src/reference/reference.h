@@ -1,5 +1,6 @@
-// The reference solver: flow and jump of a scene, every pair, contact after contact. It is there to be read and to judge
-// the kernel, which gives the same bits (tests/property/kernel_is_reference_test.cpp).
+// The reference solver: flow (the right-hand side) and jump (what changes at once after a step) of a scene, every pair,
+// contact after contact. It is there to be read and to judge the kernel, which gives the same bits
+// (tests/property/kernel_is_reference_test.cpp).
 //
 // Read physics/contact.h (the law; its options: physics/contact_force.h), system/contact.h (which radius, mass, arm and
 // normal), system/discrete.h (the life of a tangential spring), system/held_faces.h (which face of a plate a body
@@ -9,7 +10,9 @@
 //   contact.cpp   one contact: where two parts touch, how they move there, and what the law answers
 //   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger
 //   jump.cpp      after each accepted step: faces of plates kept, slots handed out, springs returned to the Coulomb
-//                 limit, links torn
+//                 limit, what the run's watches ask for, links torn
+//
+// What a jump means for a method's history: methods/method.h. What continues a run exactly: system/discrete.h.
 #pragma once
 
 #include <functional>
@@ -39,12 +42,12 @@ struct Body {
 Body disc_of(const Instant& now, int disc);
 Body node_of(const Instant& now, int node);
 
-// How the two of a pair are to each other.
+// Where the two of a pair are against each other.
 struct Proximity {
   bool near = false;  // closer than Parts::margin
   bool touching = false;
   double overlap = 0;     // m; negative if they are apart
-  double nx = 0, ny = 0;  // direction from a to b, see system/contact.h
+  double nx = 0, ny = 0;  // direction from a to b, not of length 1 in a plate's corner: system/contact.h
   int segment = -1;       // disc-lattice: the nearest one
   double share = 0;       // -, disc-lattice: where on it
 };
@@ -53,7 +56,8 @@ Proximity proximity(const Instant& now, const ContactId& pair);
 // The contact of a pair that touches.
 Contact contact_of(const Instant& now, const ContactId& pair, const Proximity& near);
 
-// The slot whose spring that of this contact follows, because another plate feels the body; -1: none.
+// Of flush plates one feels a body, and the springs of the others follow its spring. The slot that this one follows;
+// -1: none, or the plate that feels the body holds no slot.
 int slot_followed(const Instant& now, const DiscreteState::Held& held);
 
 // What the springs of a pair that touches no more still hold.

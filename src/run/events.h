@@ -10,10 +10,10 @@
 //
 // with alpha = 3/2 for Hertz's law, 1/4 with damping in sqrt(Sn), so that any p up to 5 is restored. T is a quarter of
 // the contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5), to a power of two. Not located: a disc
-// that passes from one auxiliary point of a border to the next, a corner of a plate, a rolling spring at its limit, the fractional power
-// before the end of an undamped contact, a tangential spring that reaches its limit while it slides (order 2 is left), and
-// what begins and ends within one step. Source of the order rule: graded meshes for weakly singular equations, Brunner
-// 1985 (Math. Comput. 45, 417).
+// that passes from one auxiliary point of a border to the next, a corner of a plate, a rolling spring at its limit, the
+// fractional power before the end of an undamped contact, a tangential spring that reaches its limit while it slides
+// (order 2 is left), and what begins and ends within one step. Source of the order rule: graded meshes for weakly
+// singular equations, Brunner 1985 (Math. Comput. 45, 417).
 #pragma once
 
 #include <functional>

@@ -11,10 +11,15 @@
 //   node-wall     contact_radius   ma                                0                   against the wall's normal
 //   node-plate    contact_radius   ma                                0                   to the nearest face
 //
-// n points from a to b and is a unit vector; of a centre inside a plate the inward normal of the nearest face, of one on the far
-// side of a border the direction to the contact point. Of a plate whose faces are kept it is that of the kept face, and
-// shorter in its corners (physics/held_face.h). Fixed nodes have an infinite mass. With `moment_arm = "radius"` an arm
-// is the whole radius, with `half_overlap` R - d/2 of all kinds, as in LIGGGHTS.
+// n points from a to b. Its length is 1, but of a kept face of a plate it is shorter in the corners
+// (physics/held_face.h). Of a centre inside a plate it is the inward normal of the nearest face, or of the kept one; of
+// one on the far side of a border the direction to the contact point. Fixed and driven nodes have an infinite mass. With
+// `moment_arm = "radius"` an arm is the whole radius, with `half_overlap` R - d/2 of all kinds, as in LIGGGHTS.
+//
+// Only discs spin. A lattice is of point masses, which have no spin: a disc rolls on it with w = omega_a, also where the
+// segment turns, and the rolling moment has no reaction on the nodes. So rolling friction on a lattice keeps linear
+// momentum, not angular momentum (tests/expected_to_fail). A reaction as a couple of forces on the two nodes would jump
+// from node to node, each time a disc rolls on to the next segment.
 #pragma once
 
 #include <array>
@@ -45,7 +50,7 @@ struct Contact {
   int slot = -1;          // of the tangential spring in the state; -1: none
   int segment = -1;       // disc-lattice: index into Parts::border
   double share = 0;       // -, disc-lattice: 0 at node a of the segment, 1 at node b
-  double nx = 0, ny = 0;  // unit vector from a to b
+  double nx = 0, ny = 0;  // n, from a to b
   double arm_a = 0;       // m, from the centre to the contact point
   double arm_b = 0;       // m, of disc b
   double vx = 0, vy = 0;  // m/s, of a against b at the contact, without spins

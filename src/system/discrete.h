@@ -3,15 +3,15 @@
 //
 // The life of a tangential spring. A contact gets a slot, a place for its spring in the state, with xi = 0, at the
 // first jump that finds its gap below Parts::margin, as a rule before it touches; a faster pair has no spring until the
-// next jump. run() jumps at its start too. While the two touch, xi' = vt; while they do not, xi' = 0. After each
-// accepted step a jump returns |xi| to mu Fn / St, and sets xi of an open contact to zero. So a contact that opens and
-// closes within one step keeps its spring, unless events are located (run/events.h). It is one spring
-// for a disc and a plate or lattice, whichever face or segment is the nearest: xi goes on along the new tangent. A
-// multistep method keeps its history when a spring is returned, so its next step may still carry the old slip. A
-// contact that has been further away than the margin for more than `quiet_jumps` jumps, and touched within no step
-// between them, gives its slot back: longer than the history of any multistep method, so that nothing that it remembers
-// of the old contact reaches the new one. A contact without a slot has no spring: xi = 0. Slots are a stack: the one
-// given back last is taken next.
+// next jump. run() jumps at its start too. While the two touch, xi' = vt (or as physics/rescaled_mindlin.h has it);
+// while they do not, xi' = 0. After each accepted step a jump limits |xi| as physics/damping.h has it, and sets xi of
+// an open contact to zero. So a contact that opens and closes within one step keeps its spring, unless events are
+// located (run/events.h). It is one spring for a disc and a plate or lattice, whichever face or segment is the nearest:
+// xi goes on along the new tangent. A multistep method keeps its history when a spring is shortened, so its next step
+// may still carry the old slip. A contact that has been further away than the margin for more than `quiet_jumps` jumps,
+// and touched within no step between them, gives its slot back: longer than the history of any multistep method, so
+// that nothing that it remembers of the old contact reaches the new one. A contact without a slot has no spring: xi =
+// 0. Slots are a stack: the one given back last is taken next.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,9 @@ namespace furrow {
 
 inline constexpr std::uint32_t quiet_jumps = 8;
 
-// Together with a state, the method's history and a time it continues a run in another system of the same scene.
+// Together with a state, the method's history and a time it continues the equations in another system of the same scene.
+// To continue a run to the bit takes its place in the schedule and the memory of its events and watches too: a
+// checkpoint has them all (output/run_checkpoint.h).
 struct DiscreteState {
   struct Held {
     int kind, a, b, slot;
