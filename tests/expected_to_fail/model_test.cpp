@@ -1,4 +1,6 @@
 // What the model does not do yet.
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "tests/expected_to_fail/expected_to_fail.h"
@@ -30,6 +32,28 @@ TEST_F(ExpectedToFail, ADiscRestsOnASlopeBelowItsRollingFriction) {
   const double moved = std::hypot(r.y[0] - start.x, r.y[1] - start.y);
   EXPECT_RIGHT(moved < 0.02 * radius) << "it stays, but for the give of the contact, less than 0.02 R in 2 s; it moved "
                                       << moved / radius << " R";
+}
+
+// A free square of nodes and a disc that spins on its upper side: nothing from outside turns them.
+TEST_F(ExpectedToFail, ADiscThatRollsOnALatticeTurnsItToo) {
+  mended_in("verification/angular_momentum.cpp");
+  Scene scene = empty_scene();
+  scene.contact.friction = 0.5;
+  scene.contact.rolling_friction = 0.2;
+  Lattice square = lattice({0, 0}, 2, 2, 0.3);
+  square.structural = link_kind(1e4, 0);
+  scene.lattice = {square};
+  scene.disc = {disc({0.1, 0.3 + 0.95 * radius}, radius, {}, 3)};
+  const System system(scene);
+  const State y = system.initial_state(), change = rates(system, 0, y);
+  double torque = torque_on(system, change, 0), largest = 0;  // N m, about the origin
+  for (int body = 0; body < system.layout().bodies; ++body) {
+    const Vec2 force = force_on(system, change, body), place{y[system.x_of(body)], y[system.y_of(body)]};
+    torque += place.x * force.y - place.y * force.x;
+    largest = std::max(largest, radius * std::hypot(force.x, force.y));
+  }
+  EXPECT_RIGHT(std::fabs(torque) < 1e-12 * largest)
+      << "angular momentum is kept; it changes by " << torque << " N m, of moments of up to " << largest << " N m";
 }
 
 }  // namespace
