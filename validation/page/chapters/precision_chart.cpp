@@ -132,14 +132,8 @@ Json digits(double value) {
 Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurve>& method_curves, double floor,
                        const WorkPrecisionPoint* paper, const std::vector<std::string>& winners) {
   Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
-  figure.caption =
-      "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
-      " against evaluations and CPU time. Thick: the paper's method, and what needs least for the paper's own error (" +
-      joined(winners) +
-      "). Grey: the best of each family of Boost.Odeint. Crosses: the run failed, or its error is above 1. "
-      "Star: the paper's setting. Bars: spread of the repeats. Below the dotted line the references do not distinguish "
-      "errors: "
-      "what is smaller is drawn on it.";
+  figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
+                   " against evaluations and CPU time. Least for the paper's own error: " + joined(winners) + ".";
   figure.description =
       info.title + ": error against cost; the paper's error is reached for least by " + joined(winners);
   std::string names, styles, first;
