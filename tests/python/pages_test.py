@@ -101,7 +101,9 @@ class Pages(unittest.TestCase):
 
     def test_what_was_found_is_what_the_studies_say(self):
         page = " ".join((source / "README.md").read_text().split())
-        for study, words in (("statements", r"Of \d+ statements, judged .*"), ("geometry", r"No setting tried .*")):
+        for study, words in (("convergence", r"Scene 2, discs: the largest force .*"),
+                             ("convergence", r"Scene 2, spheres: the largest force .*"),
+                             ("statements", r"Of \d+ statements, judged .*"), ("geometry", r"No setting tried .*")):
             told = subprocess.run([program, "study", study, "--words", "--out", source / "reference_data/studies"],
                                   capture_output=True, text=True, check=True).stdout
             said = re.findall(rf"^(?:- )?(?:.*?: )?({words})$", told, re.MULTILINE)
