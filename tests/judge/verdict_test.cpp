@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "scene/interrupt.h"
 #include "verification/engines/judge.h"
 #include "verification/engines/judgement_files.h"
 
@@ -51,6 +53,25 @@ TEST(Verdict, WhatConvergesElsewhereIsAnotherLawWithItsLimit) {
 TEST(Verdict, WhatDoesNotSettleHasFailed) {
   EXPECT_EQ(judged([](double h) { return 2 + std::sin(1 / h); }, 2).verdict, CaseVerdict::failed);
 }
+TEST(Verdict, WildCoarseValuesDoNotMakeAWrongEndRight) {
+  const auto of = [](std::vector<double> values, double claimed) {
+    const Json seen{{"name", "x"}, {"unit", "m"}, {"value", 1.0}, {"floor", 1e-6}, {"limit", 9}};
+    return judge_observable(seen, {250, 630, 1590, 4000}, {1. / 250, 1. / 630, 1. / 1590, 1. / 4000}, values, claimed);
+  };
+  EXPECT_EQ(of({1.2, 1.08, 1.03, 1.012}, 1).verdict, CaseVerdict::right);
+  EXPECT_EQ(of({20, -18, 2, 2}, 1).verdict, CaseVerdict::another_law);
+  EXPECT_EQ(of({200, -198, 2, 2}, 2).verdict, CaseVerdict::another_law);
+  EXPECT_EQ(of({1.5, 0.6, 1.05, 1.05}, 1).verdict, CaseVerdict::another_law);
+  EXPECT_NE(of({20, -18, 2.3, 2}, 1).verdict, CaseVerdict::right);
+}
+// Resolutions in groups: by chance two of them give one value, the others do not.
+TEST(Verdict, ALastChangeThatIsSmallByChanceIsThatOfTheGroup) {
+  const Json seen{{"name", "x"}, {"unit", "m"}, {"value", 1.0}, {"floor", 1e-6}, {"limit", 9}};
+  const Finding f = judge_observable(seen, {100, 110, 400, 440, 1600, 1760},
+                                     {1. / 100, 1. / 110, 1. / 400, 1. / 440, 1. / 1600, 1. / 1760},
+                                     {1.2, 1.1, 1.05, 1.012, 1.003, 1.012}, 1);
+  EXPECT_EQ(f.verdict, CaseVerdict::right) << f.words;
+}
 TEST(Verdict, AnEventIsRightWithinItsStepAndLateBeyond) {
   EXPECT_EQ(judged([](double h) { return 2 + 0.9 * h; }, 2, {{"kind", "step"}}).verdict, CaseVerdict::right);
   EXPECT_EQ(judged([](double h) { return 2 + 1.9 * h; }, 2, {{"kind", "step"}}).verdict, CaseVerdict::lower_order);
@@ -75,6 +96,57 @@ TEST(Judge, AnAnswerThatDoesNotFollowTheProtocolHasFailed) {
   Json none{{"engine", "x"}, {"order", 2}, {"observables", Json::object()}};
   for (const Json& seen : whole["observe"]) none["observables"][seen["name"].get<std::string>()] = nullptr;
   EXPECT_EQ(judgement_of(none).verdict, CaseVerdict::failed);
+}
+
+// What it says at each resolution, the coarsest first.
+Judgement judgement_of_each(const std::string& name, const std::vector<Json>& answers) {
+  std::size_t asked = 0;
+  return judge_case(verification::case_named(name),
+                    [&](const Json&) { return answers[std::min(asked++, answers.size() - 1)]; });
+}
+
+Json all_observables(const std::string& name, double value) {
+  Json answer{{"engine", "x"}, {"order", 2}, {"observables", Json::object()}};
+  for (const Json& seen : verification::case_named(name)["observe"])
+    answer["observables"][seen["name"].get<std::string>()] = value;
+  return answer;
+}
+
+TEST(Judge, AClaimThatIsNoOrderHasFailed) {
+  for (const Json& order : {Json(-99), Json(0), Json(0.9), Json(21), Json("two"), Json(nullptr)}) {
+    Json answer = all_observables("hertz_wall", 1);
+    answer["order"] = order;
+    const Judgement j = judgement_of(answer);
+    EXPECT_EQ(j.verdict, CaseVerdict::failed) << order;
+    EXPECT_NE(j.words.find("order"), std::string::npos) << j.words;
+  }
+  Json other = all_observables("hertz_wall", 1);
+  other["order"] = 1;
+  const Judgement j = judgement_of_each("hertz_wall", {all_observables("hertz_wall", 1), other});
+  EXPECT_EQ(j.verdict, CaseVerdict::failed);
+  EXPECT_NE(j.words.find("changes from 2 to 1"), std::string::npos) << j.words;
+}
+TEST(Judge, WhatCannotOnlyWithShorterStepsHasFailed) {
+  const Json cannot{{"engine", "x"}, {"cannot", "too fine"}};
+  const Judgement j = judgement_of_each("hertz_wall", {all_observables("hertz_wall", 1), cannot});
+  EXPECT_EQ(j.verdict, CaseVerdict::failed);
+  EXPECT_NE(j.words.find("too fine"), std::string::npos) << j.words;
+}
+TEST(Judge, NothingThatMovesIsNotTheSameInAMirror) {
+  const Judgement j = judgement_of_each("mirrored_pair", {all_observables("mirrored_pair", 0)});
+  EXPECT_EQ(j.verdict, CaseVerdict::failed) << j.words;
+}
+TEST(Judge, AnObservableThatStandsTwiceHasFailed) {
+  const Judgement j =
+      judge_case(verification::case_named("hertz_wall"),
+                 verification::program_engine(R"(echo '{"engine":"x","order":1,"observables":{"a":1,"a":2}}')", 10));
+  EXPECT_EQ(j.verdict, CaseVerdict::failed);
+  EXPECT_NE(j.words.find("\"a\" twice"), std::string::npos) << j.words;
+}
+TEST(Judge, AnInterruptIsNoVerdict) {
+  EXPECT_THROW(judge_case(verification::case_named("hertz_wall"),
+                          [](const Json&) -> Json { throw Interrupted("interrupted by SIGINT"); }),
+               Interrupted);
 }
 TEST(Judge, AnEngineThatCannotIsNotHeldToIt) {
   const Judgement j = judgement_of({{"engine", "x"}, {"cannot", "no walls"}});

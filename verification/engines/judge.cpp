@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "output/child.h"
+#include "scene/interrupt.h"
 #include "scene/wording.h"
 
 namespace furrow::verification {
@@ -16,6 +16,8 @@ namespace {
 constexpr double slack = 0.35;
 // Less is no order: nothing is arrived at.
 constexpr double least_order = 0.4;
+// Resolutions within this factor belong together.
+constexpr double close = 1.2;
 
 std::string few(double value) {
   char text[32];
@@ -35,7 +37,7 @@ Errors grouped(const std::vector<int>& steps, const std::vector<double>& errors)
   while (begin < steps.size()) {
     double logs = 0, squares = 0, count = 0;
     std::size_t k = begin;
-    for (; k < steps.size() && steps[k] < 1.2 * steps[begin]; ++k, ++count) {
+    for (; k < steps.size() && steps[k] < close * steps[begin]; ++k, ++count) {
       logs += std::log(steps[k]);
       squares += errors[k] * errors[k];
     }
@@ -97,12 +99,21 @@ Finding judge_exact(Finding f, const Json& seen) {
   return said(f, CaseVerdict::another_law, few(f.values.back()) + " in place of " + few(f.expected));
 }
 
-// How far the values may still be from where they go if each change is one of order 1 or higher: an error C h changes
-// by C h (1 - 1/r) to the next step, with r at least 1.5. The greatest counts, since a change may be small by chance.
+// How far the values may still be from where they go if the last change is one of order 1 or higher: an error C h
+// changes by C h (1 - 1/r) to the next step, with r at least 1.5. Of resolutions that are close to each other the two
+// that differ most count, since a change may be small by chance. Earlier changes say nothing: coarse values may be wild.
 double left_to_go(const std::vector<int>& steps, const std::vector<double>& values) {
+  const auto begin_of_group = [&](std::size_t end) {
+    std::size_t begin = end - 1;
+    while (begin > 0 && steps[end - 1] < close * steps[begin - 1]) --begin;
+    return begin;
+  };
+  const std::size_t last = begin_of_group(values.size());
   double most = 0;
-  for (std::size_t k = 1; k < values.size(); ++k)
-    most = std::max(most, 3 * std::fabs(values[k] - values[k - 1]) * steps[k - 1] / steps.back());
+  for (std::size_t i = last > 0 ? begin_of_group(last) : 0; i < last; ++i) {
+    for (std::size_t k = last; k < values.size(); ++k)
+      most = std::max(most, 3 * std::fabs(values[k] - values[i]) * steps[i] / steps[k]);
+  }
   return most;
 }
 
@@ -162,18 +173,45 @@ struct Asked {
   std::string cannot;
 };
 
+double claimed_order(const Json& answer) {
+  const Json order = answer.value("order", Json(1));
+  if (!order.is_number() || !(order.get<double>() >= 1) || order.get<double>() > 20)
+    throw std::runtime_error("order is not that of a method, a number from 1 to 20");
+  return order;
+}
+
+// An engine that can do a case can do it at every resolution, by one method.
 Asked ask(const Json& whole, const Engine& engine, Judgement& j) {
   Asked all;
   for (const int steps : j.steps) {
     all.answers.push_back(engine(request_of(whole, steps)));
     const Json& answer = all.answers.back();
+    const bool first = all.answers.size() == 1;
     j.engine = answer.value("engine", "unnamed");
     j.method = answer.value("method", "");
-    if (answer.contains("cannot")) return all.cannot = answer["cannot"], all;
+    if (answer.contains("cannot")) {
+      all.cannot = answer["cannot"];
+      if (!first) throw std::runtime_error("it answered, and then could not with shorter steps: " + all.cannot);
+      return all;
+    }
     if (!answer.contains("observables")) throw std::runtime_error("the answer has neither observables nor cannot");
-    j.claimed = answer.value("order", 1.0);
+    const double order = claimed_order(answer);
+    if (!first && order != j.claimed)
+      throw std::runtime_error("the order that it claims changes from " + few(j.claimed) + " to " + few(order));
+    j.claimed = order;
   }
   return all;
+}
+
+// An engine in which nothing moves would be the same in every view.
+void refuse_nothing(const Json& of, const Json& seen, const std::vector<Json>& own) {
+  for (const Json& original : of["observe"]) {
+    if (original["name"] != seen["name"]) continue;
+    const double expected = original.value("value", 0.0), got = value_of(own.back(), seen["name"]);
+    if (std::fabs(got) < 1e-3 * std::fabs(expected))
+      throw std::runtime_error("nothing to compare: in " + of["name"].get<std::string>() + " its " +
+                               seen["name"].get<std::string>() + " is " + few(got) + " in place of " + few(expected));
+  }
 }
 
 // Where a case is compared with another one, the other one's value takes the place of the expected one.
@@ -197,6 +235,7 @@ void judge_answers(Judgement& j, const Json& whole, const Asked& asked, const st
     std::vector<double> values;
     for (const Json& answer : asked.answers) values.push_back(value_of(answer, seen["name"]));
     if (seen.value("kind", "") == "same") {
+      refuse_nothing(case_named(whole["view"]["of"]), seen, own);
       subtract_own(seen, own, values);
       seen["scale"] = scale_of_own(seen, own);
       seen["value"] = 0.0;
@@ -235,25 +274,14 @@ Judgement judge_case(const Json& whole, const Engine& engine) {
       j.verdict = CaseVerdict::cannot;
       j.words = asked.cannot;
     }
+  } catch (const Interrupted&) {  // no word of the engine
+    throw;
   } catch (const Json::exception& fault) {
     j.words = std::string("the answer does not follow the protocol: ") + fault.what();
   } catch (const std::runtime_error& fault) {
     j.words = fault.what();
   }
   return j;
-}
-
-Engine program_engine(const std::string& command, double limit) {
-  return [command, limit](const Json& request) {
-    const ChildEnd end = run_child({.words = {"/bin/sh", "-c", "{ " + command + "\n} <\"$1\"", "engine", "{input}"},
-                                    .input = request.dump(),
-                                    .limit = limit});
-    const std::string last = end.errors.empty() ? "" : ": " + end.errors.substr(0, 400);
-    if (end.code != 0) throw std::runtime_error("the engine ended with code " + std::to_string(end.code) + last);
-    const std::size_t begin = end.output.find('{');
-    if (begin == std::string::npos) throw std::runtime_error("the engine printed no JSON" + last);
-    return Json::parse(end.output.substr(begin));
-  };
 }
 
 }  // namespace furrow::verification

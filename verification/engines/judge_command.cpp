@@ -1,4 +1,6 @@
 // The commands cases, judge and engine.
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -72,9 +74,13 @@ int exit_code_of(const std::vector<Judgement>& all) {
   return judged && well ? good : check_failed;
 }
 
-// Before the engine is asked: a result of an earlier judge may be replaced, nothing else.
+// Before the engine is asked: a result of an earlier judge may be replaced, nothing else, and there must be a place for it.
 void refuse_foreign(const std::string& file, std::string_view begins) {
-  if (file.empty() || !std::filesystem::exists(file)) return;
+  if (file.empty()) return;
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder)) throw FileError(file + ": there is no directory " + folder.string());
+  if (access(folder.c_str(), W_OK) != 0) throw FileError(file + ": " + folder.string() + " may not be written");
+  if (!std::filesystem::exists(file)) return;
   std::ifstream stream(file, std::ios::binary);
   std::string there(begins.size(), '\0');
   stream.read(there.data(), static_cast<std::streamsize>(there.size()));
@@ -84,7 +90,8 @@ void refuse_foreign(const std::string& file, std::string_view begins) {
 }
 
 int judge_command(const JudgeOptions& options) {
-  if (!options.json.empty() && options.json == options.junit)
+  const auto place = [](const std::string& file) { return std::filesystem::weakly_canonical(file); };
+  if (!options.json.empty() && !options.junit.empty() && place(options.json) == place(options.junit))
     throw std::invalid_argument("--json and --junit name one file; the one would replace the other");
   refuse_foreign(options.json, judgements_begin_json);
   refuse_foreign(options.junit, judgements_begin_junit);
