@@ -4,9 +4,12 @@
 #include <map>
 
 #include "export/data_file.h"
+#include "export/deck_run.h"
 #include "export/deck_text.h"
 #include "export/export.h"
 #include "export/lammps_law.h"
+#include "scene/hash.h"
+#include "scene/read.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -129,7 +132,7 @@ class Deck : DeckText {
   std::vector<std::size_t> tearing() const {
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < kinds_.bond.size(); ++k) {
-      if (std::isfinite(kinds_.bond[k].strength) && kinds_.bond[k].stiffness > 0) found.push_back(k);
+      if (can_tear(kinds_.bond[k])) found.push_back(k);
     }
     return found;
   }
@@ -239,8 +242,8 @@ class Deck : DeckText {
   }
 
   void output() {
-    const long every = std::max(1L, std::lround(scene_.output.interval / scene_.time.step));
-    const long steps = std::lround(scene_.time.end / scene_.time.step);
+    const DeckRun run = deck_run(prepared_);
+    const std::string title = "title1 \"" + output_title(hexadecimal(scene_hash(started_scene(prepared_)))) + "\"";
     std::string columns, names;
     for (const auto& [word, count] : {std::pair{"plate", parts_.plate.size()}, {"wall", parts_.wall.size()}}) {
       for (std::size_t i = 0; i < count; ++i) {
@@ -253,15 +256,16 @@ class Deck : DeckText {
         }
       }
     }
-    say({"variable every equal", std::to_string(every) + "*v_refine"});
-    say({"variable steps equal", std::to_string(steps) + "*v_refine"});
+    say({"variable every equal", std::to_string(run.every) + "*v_refine"});
+    say({"variable steps equal", std::to_string(run.steps) + "*v_refine"});
     if (!columns.empty())
       say({"fix forces all ave/time ${every} 1 ${every}" + columns,
-           "mode scalar format \" %.17g\" title2 \"# step" + names + "\" file force.${refine}.txt"});
-    torn();
+           "mode scalar format \" %.17g\" " + title + " title2 \"# step" + names + "\" file force.${refine}.txt"});
+    torn(title);
     if (!kinds_.bonds.empty()) {
       say({"compute links all property/local batom1 batom2"});
-      say({"dump links all local ${steps} links.${refine}.txt index c_links[1] c_links[2]"});
+      say({"dump links all local ${every} links.${refine}.txt index c_links[1] c_links[2]"});
+      say({"dump_modify links format float %.0f"});
     }
     say({"thermo_modify lost error norm no"});
     say({"thermo ${every}"});
@@ -269,12 +273,12 @@ class Deck : DeckText {
     say({"write_dump all custom end.${refine}.txt id x y vx vy modify sort id format float %.17g"});
   }
 
-  void torn() {
+  void torn(const std::string& title) {
     std::string sum;
     for (const std::size_t k : tearing()) sum += (sum.empty() ? "f_tear" : "+f_tear") + std::to_string(k + 1) + "[2]";
     if (sum.empty()) return;
     say({"variable torn equal", sum});
-    say({"fix torn all ave/time ${refine} 1 ${refine} v_torn mode scalar file torn.${refine}.txt"});
+    say({"fix torn all ave/time ${refine} 1 ${refine} v_torn mode scalar", title, "file torn.${refine}.txt"});
   }
 
   const Prepared& prepared_;
@@ -283,14 +287,7 @@ class Deck : DeckText {
   std::map<std::string, std::vector<std::string>> touched_;
 };
 
-std::string named(const char* what, int refine) { return what + ("." + std::to_string(refine)) + ".txt"; }
-
 }  // namespace
-
-std::string forces_file(int refine) { return named("force", refine); }
-std::string ends_file(int refine) { return named("end", refine); }
-std::string links_file(int refine) { return named("links", refine); }
-std::string tears_file(int refine) { return named("torn", refine); }
 
 LammpsDeck lammps_deck(const Prepared& prepared) { return Deck(prepared).write(); }
 

@@ -4,6 +4,7 @@
 //   data.lammps  the bodies at t = 0, settled, and the links
 //   scene.toml   the same start as a scene of furrow, with which the comparison runs
 //   keys.md      of every key of scenes how it went into the deck
+//   export.json  what deviates, and the hashes of the other files
 #pragma once
 
 #include <filesystem>
@@ -49,7 +50,14 @@ LammpsDeck lammps_deck(const Prepared& prepared);
 // What a deck writes, by its step over that of the scene.
 std::string forces_file(int refine);  // "force.10.txt": step, then Fx and Fy on each plate and each wall
 std::string ends_file(int refine);    // "end.10.txt": id x y vx vy at the end
-std::string links_file(int refine);   // "links.10.txt": pairs of nodes whose links are intact, first and at the end
+std::string links_file(int refine);   // "links.10.txt": pairs of nodes whose links are intact, row by row
 std::string tears_file(int refine);   // "torn.10.txt": step, number of torn links
+
+// What stands in such a name; 0: it is none of them.
+constexpr int most_refine = 1'000'000;
+int refine_of(const std::string& name);
+
+// The first line of the outputs that have one: of which deck they are.
+inline std::string output_title(const std::string& scene_hash) { return "# furrow export, scene " + scene_hash; }
 
 }  // namespace furrow

@@ -4,6 +4,7 @@
 // its law scaled to its contact radius, and what is flat stands back by the radius. Its type tells what moves it.
 #pragma once
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct BondKind {
   double stiffness = 0, length = 0, strength = 0;  // N/m, m, N
   bool operator==(const BondKind&) const = default;
 };
+
+inline bool can_tear(const BondKind& kind) { return std::isfinite(kind.strength) && kind.stiffness > 0; }
 
 struct AtomKinds {
   std::vector<AtomKind> kind;

@@ -3,10 +3,11 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <list>
+#include <stdexcept>
 
 #include "export/compare.h"
-#include "output/build_info.h"
+#include "export/deck_record.h"
 #include "output/owned_directory.h"
 #include "program/commands.h"
 #include "program/progress.h"
@@ -16,6 +17,17 @@ namespace furrow {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* compared_name = "compared.json";
+
+// A whole file under another name, until it is finished.
+struct WrittenBeside {
+  WrittenBeside(const fs::path& path, const std::string& text) : file(OutputFile::replacing(path)) {
+    file << text;
+    file.flush();
+  }
+  OutputFile file;
+};
 
 std::string keys_page(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& deviations) {
   std::string text = "# How the keys of the scene went to LAMMPS\n\n";
@@ -32,14 +44,6 @@ std::string keys_page(const std::vector<KeyRow>& rows, const std::vector<KeyRow>
   return text;
 }
 
-std::string export_json(const std::vector<KeyRow>& deviations) {
-  nlohmann::ordered_json json{
-      {"to", "lammps"}, {"furrow", build_info().commit}, {"deviations", nlohmann::ordered_json::array()}};
-  for (const KeyRow& row : deviations)
-    json["deviations"].push_back({{"key", row.key}, {"how", to_string(row.fidelity)}, {"text", row.text}});
-  return json.dump(1) + "\n";
-}
-
 Prepared prepared_with_progress(const ExportOptions& options) {
   Progress progress;
   const Scene scene = requested_scene(options.scene);
@@ -48,16 +52,41 @@ Prepared prepared_with_progress(const ExportOptions& options) {
 }
 
 // What an engine has left of the deck that stood there: it would be compared with the new one.
-void remove_old_output(const fs::path& directory) {
+std::vector<fs::path> old_output(const fs::path& directory) {
   std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string name = entry.path().filename();
-    for (const char* kind : {"force.", "end.", "links.", "torn."}) {
-      if (name.starts_with(kind) && name.ends_with(".txt")) old.push_back(entry.path());
-    }
-    if (name == "compared.json") old.push_back(entry.path());
+    if (refine_of(name) == 0 && name != compared_name) continue;
+    if (!fs::is_regular_file(entry.symlink_status()))
+      throw FileError(entry.path().string() +
+                      " is in the way: it is no regular file; move it away, or choose another --out");
+    old.push_back(entry.path());
   }
+  return old;
+}
+
+DeckFiles deck_files(const Prepared& prepared, const std::vector<KeyRow>& deviations) {
+  const LammpsDeck deck = lammps_deck(prepared);
+  DeckFiles files{{"in.lammps", deck.input},
+                  {"data.lammps", deck.data},
+                  {"scene.toml", canonical_text(started_scene(prepared))},
+                  {"keys.md", keys_page(lammps_keys(prepared), deviations)}};
+  files.emplace_back("export.json", deck_record(files, deviations));
+  return files;
+}
+
+// The new files are all written beside the old ones before one of these goes.
+void write_deck(const fs::path& directory, const DeckFiles& files) {
+  std::vector<std::string> names;
+  for (const auto& [name, text] : files) names.push_back(name);
+  OwnedDirectory owned(directory, "export", names, OwnedDirectory::Earlier::kept);
+  const std::vector<fs::path> old = old_output(directory);
+  std::list<WrittenBeside> written;
+  for (const auto& [name, text] : files) written.emplace_back(directory / name, text);
   for (const fs::path& file : old) fs::remove(file);
+  for (WrittenBeside& one : written) one.file.finish();
+  owned.keep_only(names);
+  owned.conclude("finished");
 }
 
 }  // namespace
@@ -67,16 +96,8 @@ int export_command(const ExportOptions& options) {
   const Prepared prepared = prepared_with_progress(options);
   const std::vector<KeyRow> deviations = lammps_deviations(prepared);
   refuse_deviations(deviations, options.allow);
-  const LammpsDeck deck = lammps_deck(prepared);
   const fs::path directory = options.scene.directory;
-  OwnedDirectory owned(directory, "export", {"in.lammps", "data.lammps", "scene.toml", "keys.md", "export.json"});
-  remove_old_output(directory);
-  replace_file(directory / "in.lammps", deck.input);
-  replace_file(directory / "data.lammps", deck.data);
-  replace_file(directory / "scene.toml", canonical_text(started_scene(prepared)));
-  replace_file(directory / "keys.md", keys_page(lammps_keys(prepared), deviations));
-  replace_file(directory / "export.json", export_json(deviations));
-  owned.conclude("finished");
+  write_deck(directory, deck_files(prepared, deviations));
   for (const KeyRow& row : deviations)
     std::printf("%s: %s: %s\n", to_string(row.fidelity).c_str(), row.key.c_str(), row.text.c_str());
   std::printf("%s: in.lammps, data.lammps; keys.md says how each key went in\n", directory.string().c_str());
@@ -90,9 +111,12 @@ int compare_command(const ExportOptions& options) {
   std::error_code unreachable;
   if (!fs::is_directory(options.compare, unreachable))
     throw FileError(options.compare + ": no such directory; furrow export --out makes one");
+  if (!(options.early > 0)) throw std::invalid_argument("--early: must be more than 0 s");
+  const fs::path result = fs::path(options.compare) / compared_name;
+  if (fs::is_regular_file(result, unreachable)) fs::remove(result);  // of an earlier comparison
   const Compared compared = compare_with_engine(options.compare, options.early);
   std::printf("%s", compared.text.c_str());
-  replace_file(fs::path(options.compare) / "compared.json", compared.json.dump(1) + "\n");
+  replace_file(result, compared.json.dump(1) + "\n");
   return compared.good ? good : check_failed;
 }
 

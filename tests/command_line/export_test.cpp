@@ -172,4 +172,42 @@ TEST_F(Export, AnOldOutputIsNotComparedWithANewDeck) {
   EXPECT_TRUE(has("deck/notes.txt")) << "what is somebody else's stays";
 }
 
+TEST_F(Export, OnlyWhatTheDeckWritesIsRemoved) {
+  put("scene.toml", discs());
+  ASSERT_EQ(furrow("export scene.toml --to lammps --out deck").code, 0) << err();
+  const char* mine[] = {"force.measured.txt", "end.notes.txt", "links.txt",  "torn.1.old.txt", "force.01.txt",
+                        "force.0.txt",        "end.-1.txt",    "end.1.txt~", "my.force.1.txt", "links.1.txt.txt"};
+  const char* of_the_deck[] = {"force.1.txt", "force.10.txt", "end.10.txt", "links.1.txt", "torn.250.txt"};
+  for (const char* name : mine) put(std::string("deck/") + name);
+  for (const char* name : of_the_deck) put(std::string("deck/") + name);
+  put("deck/force.mine.txt/notes");
+  ASSERT_EQ(furrow("export scene.toml --to lammps --out deck").code, 0) << err();
+  for (const char* name : mine) EXPECT_TRUE(has(std::string("deck/") + name)) << name;
+  for (const char* name : of_the_deck) EXPECT_FALSE(has(std::string("deck/") + name)) << name;
+  EXPECT_TRUE(has("deck/force.mine.txt/notes"));
+}
+
+TEST_F(Export, AFailureLeavesTheDeckOfBefore) {
+  put("scene.toml", discs());
+  ASSERT_EQ(furrow("export scene.toml --to lammps --out deck").code, 0) << err();
+  put("deck/end.1.txt", "of before");
+  put("deck/force.1.txt/notes");
+  const auto before = bits("deck");
+  put("scene.toml", impact("slip_damping = false", "restitution = 0.5"));
+  EXPECT_EQ(furrow("export scene.toml --to lammps --out deck").code, 4);
+  EXPECT_NE(err().find("deck/force.1.txt is in the way"), std::string::npos) << err();
+  EXPECT_EQ(bits("deck"), before);
+}
+
+TEST_F(Export, AFullDiskLeavesTheDeckOfBefore) {
+  put("scene.toml", discs());
+  ASSERT_EQ(furrow("export scene.toml --to lammps --out deck").code, 0) << err();
+  put("deck/end.1.txt", "of before");
+  const auto before = bits("deck");
+  put("scene.toml", impact("slip_damping = false", "restitution = 0.5"));
+  EXPECT_EQ(furrow("export scene.toml --to lammps --out deck", "ulimit -f 16;").code, 4) << "8 KiB a file: " << out();
+  EXPECT_NE(err().find("File too large"), std::string::npos) << err();
+  EXPECT_EQ(bits("deck"), before);
+}
+
 }  // namespace
