@@ -1,7 +1,10 @@
 // `furrow calibrate`: the settings of scenes that come closest to what was measured.
+#include <algorithm>
 #include <cstdio>
+#include <iostream>
 #include <thread>
 
+#include "program/exit_code.h"
 #include "program/progress.h"
 #include "program/usage.h"
 #include "scene/wording.h"
@@ -18,6 +21,31 @@ struct Options {
   unsigned jobs = 0;
 };
 
+// About the best setting.
+void print_without_effect(const Calibration& c) {
+  for (const VariedKey& key : c.keys) {
+    const auto moves = [&](const Effect& effect) {
+      return effect.key == key.name && (effect.misfit != 0 || std::any_of(effect.effect.begin(), effect.effect.end(),
+                                                                          [](double off) { return off != 0; }));
+    };
+    const std::vector<Effect>& all = c.identified.effects;
+    if (std::none_of(all.begin(), all.end(), moves))
+      std::printf("  %s moves no target about the best setting: its value says nothing\n", key.name.c_str());
+  }
+}
+
+void print_unsaid(const Calibration& c) {
+  const std::vector<Json>& packings = c.best.front().fresh.values;
+  for (std::size_t k = 0; k < c.targets.all.size(); ++k) {
+    const CalibrationTarget& target = c.targets.all[k];
+    const auto unsaid = std::count_if(packings.begin(), packings.end(),
+                                      [&](const Json& values) { return !comparable(target, values[k]); });
+    if (unsaid > 0)
+      std::printf("  %s: %td of %td runs with the best setting do not say it\n", target.name.c_str(), unsaid,
+                  std::ssize(packings));
+  }
+}
+
 void print(const Calibration& c, const std::string& directory) {
   const Candidate& best = c.best.front();
   std::printf("misfit %s of tolerances: %s\n", rounded(best.fresh.misfit(), 3).c_str(),
@@ -25,6 +53,8 @@ void print(const Calibration& c, const std::string& directory) {
   for (const Known& k : c.identified.known)
     std::printf("  %s = %s, %s\n", k.key.c_str(), k.value.c_str(),
                 k.low.empty() ? "not identifiable" : ("95 % interval " + k.low + " to " + k.high).c_str());
+  print_without_effect(c);
+  print_unsaid(c);
   if (!c.identified.why_not.empty()) std::printf("  no intervals: %s\n", c.identified.why_not.c_str());
   std::printf("%ld settings, %ld of them failed; %ld runs made, %ld replayed\n", c.points, c.failed, c.made,
               c.replayed);
@@ -32,7 +62,7 @@ void print(const Calibration& c, const std::string& directory) {
               directory.c_str(), c.cases.front().name.c_str());
 }
 
-int command(const Options& options) {
+int search(const Options& options) {
   Progress progress;
   CalibrationRequest request{.scenes = {options.scenes.begin(), options.scenes.end()},
                              .vary = options.vary,
@@ -48,6 +78,15 @@ int command(const Options& options) {
   write_calibration(calibration, options.directory);
   print(calibration, options.directory);
   return good;
+}
+
+int command(const Options& options) {
+  try {
+    return search(options);
+  } catch (const NothingCompared& fault) {
+    std::cerr << "furrow: error: " << fault.what() << "\n";
+    return check_failed;
+  }
 }
 
 }  // namespace

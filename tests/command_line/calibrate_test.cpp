@@ -85,6 +85,24 @@ TEST_F(Calibrate, GoesOnInItsOwnDirectoryButDoesNotReplaceWhatItReads) {
   EXPECT_EQ(text("fitted/mine.txt"), "mine");
 }
 
+// The exit code tells what could not be compared from what could not be run.
+TEST_F(Calibrate, RecommendsNothingWhereNothingIsCompared) {
+  put("to.toml", "[[target]]\nobservable = \"first_tear\"\nvalue = 5.0\ntolerance = 0.1\n");
+  EXPECT_EQ(calibrate("--vary 'lattice[0].structural.stiffness=1e3,2e3' --out fitted"), 1);
+  EXPECT_NE(err().find("furrow: error: no run says target \"first_tear\" of stem"), std::string::npos) << err();
+  EXPECT_FALSE(has("fitted/calibration.json"));
+  EXPECT_EQ(calibrate("--vary 'lattice[0].structural.stiffness=1e12,2e12' --out blown"), 3);
+  EXPECT_NE(err().find("every setting failed"), std::string::npos) << err();
+}
+
+TEST_F(Calibrate, SaysWhichKeyMovesNothing) {
+  const std::string keys =
+      "--vary 'lattice[0].structural.stiffness=1e3,2e3' --vary lattice[0].structural.strength=1e6,2e6 ";
+  ASSERT_EQ(calibrate(keys + "--out fitted"), 0) << err();
+  EXPECT_NE(out().find("lattice[0].structural.strength moves no target"), std::string::npos) << out();
+  EXPECT_EQ(out().find("stiffness moves no target"), std::string::npos) << out();
+}
+
 TEST_F(Calibrate, SaysWhichDirectoryCannotBeMade) {
   EXPECT_EQ(calibrate("--vary 'lattice[0].structural.stiffness=1e3,2e3' --out /proc/none"), 4);
   EXPECT_NE(err().find("cannot make /proc/none: "), std::string::npos) << err();

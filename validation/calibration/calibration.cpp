@@ -86,7 +86,8 @@ std::vector<Candidate> judged(const Evaluator& evaluator, const std::vector<Poin
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < best.size(); ++k) candidates.push_back({best[k], std::move(again[k])});
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.fresh.misfit() < b.fresh.misfit(); });
+                   [](const Candidate& a, const Candidate& b) { return better(a.fresh, b.fresh); });
+  refuse_unsaid(evaluator.targets(), {candidates.front().fresh});
   return candidates;
 }
 

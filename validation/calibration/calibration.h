@@ -38,7 +38,7 @@ struct Calibration {
 std::vector<std::string> files_of_calibration(const std::vector<Case>& cases);
 
 // Throws what reading scenes, keys and targets throws, std::invalid_argument if one of them is a file that the
-// calibration writes, FileError if the directory is not its own, Interrupted, std::runtime_error if nothing runs.
+// calibration writes, FileError if the directory is not its own, Interrupted, and what search() throws.
 Calibration calibrate(const CalibrationRequest& request);
 
 Json json_of(const Calibration& calibration);

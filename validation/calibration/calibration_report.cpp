@@ -63,7 +63,9 @@ void add_targets(Report& report, const Calibration& c) {
   for (std::size_t k = 0; k < c.targets.all.size(); ++k) {
     const CalibrationTarget& t = c.targets.all[k];
     const double off = misfit_of(c, best, k);
-    const bool within = t.relation == Relation::says ? off == 0 : off <= 1;
+    const bool said = std::all_of(best.values.begin(), best.values.end(),
+                                  [&](const Json& values) { return comparable(t, values[k]); });
+    const bool within = said && (t.relation == Relation::says ? off == 0 : off <= 1);
     met += within ? 1 : 0;
     rows.push_back({t.name, t.scene, wanted(t), value_text(best, k),
                     t.relation == Relation::says ? "–" : digits(t.tolerance), digits(off), within ? "yes" : "no"});

@@ -1,5 +1,7 @@
 #include "validation/calibration/evaluate.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -12,12 +14,15 @@
 namespace furrow::validation {
 namespace {
 
+constexpr double not_finite = 1e30;  // stands for a misfit that is not, so that a mean of several can be compared
+
 // What decides a run beside its scene: the solver's sources, and what defines the observables.
 const std::string& hash_of_sources() {
   static const std::string hash = [] {
     std::string all;
-    for (const auto& [file, text] :
-         that_decide(sources_of_this_program(), {"validation/page/", "src/output/first_touch."}))
+    for (const auto& [file, text] : that_decide(
+             sources_of_this_program(), {"validation/page/", "src/output/first_touch.",
+                                         "validation/calibration/evaluate.", "validation/calibration/targets."}))
       all += file + " " + text + "\n";
     return hash_of(all);
   }();
@@ -29,21 +34,65 @@ Json asked_of(const Scene& scene, const std::vector<const CalibrationTarget*>& a
   Prepared prepared = prepare(scene);
   const Timing time = prepared.scene.time;
   const RunRecord run = observed_run(std::move(prepared), time, Watch::on);
-  if (!run.finished()) throw std::runtime_error(run.fact("reason")->texts.at(0));
+  if (!run.finished()) throw Divergence(run.fact("reason")->texts.at(0));
   Json values = Json::object();
   for (const CalibrationTarget* target : asked) values[target->asked()] = value_of(*target, run);
   return values;
 }
 
-void judge_reach(const CalibrationTarget& target, const Case& of) {
+// As a result of its own, so that a setting without any is known from one that could not be made.
+Json judged_of(const Scene& scene, const std::vector<const CalibrationTarget*>& asked) {
+  try {
+    return asked_of(scene, asked);
+  } catch (const Divergence& fault) {
+    return {{"failed", fault.what()}, {"diverged", true}};
+  }
+}
+
+using Way = std::array<double, 3>;  // velocity of the first plate, m/s; time, s
+
+Way way_of(const Scene& scene) { return {scene.plate[0].velocity.x, scene.plate[0].velocity.y, scene.time.end}; }
+
+// Every combination of the ends of those keys that change the way of the plate.
+std::vector<Setting> farthest_settings(const Case& of, const std::vector<VariedKey>& keys) {
+  const Setting middle = combinations(keys).front();
+  std::vector<Setting> all{middle};
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    std::vector<Setting> longer;
+    bool changes = false;
+    for (const std::string& value : keys[k].ends()) {
+      Setting one = middle;
+      one[k] = value;
+      changes = changes || way_of(scene_with(of, keys, one, 0)) != way_of(scene_with(of, keys, middle, 0));
+      for (Setting some : all) {
+        some[k] = value;
+        longer.push_back(std::move(some));
+      }
+    }
+    if (changes) all = std::move(longer);
+  }
+  return all;
+}
+
+// By the setting that takes the plate the farthest, mm.
+double farthest_reach(const Case& of, const std::vector<VariedKey>& keys) {
+  double reach = 0;
+  for (const Setting& setting : farthest_settings(of, keys)) {
+    const Way way = way_of(scene_with(of, keys, setting, 0));
+    reach = std::max(reach, 1e3 * std::hypot(way[0], way[1]) * way[2]);
+  }
+  return reach;
+}
+
+void judge_reach(const CalibrationTarget& target, const Case& of, const std::vector<VariedKey>& keys) {
   if (of.scene.plate.empty()) throw std::invalid_argument(of.name + ": has no plate whose force could be compared");
-  const double speed = std::hypot(of.scene.plate[0].velocity.x, of.scene.plate[0].velocity.y);
-  const double reach = 1e3 * speed * of.scene.time.end;  // mm
   const double wanted = target.curve ? target.curve->mm.back() : target.window ? (*target.window)[1] : 0;
-  if (wanted > reach + 1)
+  if (wanted == 0) return;
+  const double reach = farthest_reach(of, keys);
+  if (wanted > reach * (1 + 1e-9))
     throw std::invalid_argument("target " + in_quotes(target.name) + " asks for " + rounded(wanted, 6) +
                                 " mm of displacement, but in " + of.name + " the plate goes " + rounded(reach, 6) +
-                                " mm");
+                                " mm; let time.end be later, or cut the target");
 }
 
 }  // namespace
@@ -59,11 +108,34 @@ double Point::spread() const {
   return std::sqrt(sum / static_cast<double>(misfits.size() - 1));
 }
 
+bool whole(const Point& point) { return point.failure.empty() && point.unsaid == 0; }
+
+bool better(const Point& a, const Point& b) {
+  if (a.failure.empty() != b.failure.empty()) return a.failure.empty();
+  if (a.unsaid != b.unsaid) return a.unsaid < b.unsaid;
+  return a.misfit() != b.misfit() ? a.misfit() < b.misfit() : a.setting < b.setting;
+}
+
+void refuse_unsaid(const Targets& targets, const std::vector<Point>& points) {
+  for (std::size_t k = 0; k < targets.all.size(); ++k) {
+    const CalibrationTarget& target = targets.all[k];
+    const auto says = [&](const Json& values) { return comparable(target, values[k]); };
+    const auto any = [&](const Point& p) { return std::any_of(p.values.begin(), p.values.end(), says); };
+    if (std::any_of(points.begin(), points.end(), any)) continue;
+    const auto failed = std::find_if(points.begin(), points.end(), [](const Point& p) { return !p.failure.empty(); });
+    throw NothingCompared("no run says target " + in_quotes(target.name) + " of " + target.scene + ", in " +
+                          std::to_string(points.size()) + (points.size() == 1 ? " setting" : " settings") +
+                          (failed == points.end() ? "" : ", of which some failed, one so: " + failed->failure) +
+                          (target.curve || target.window ? ": let the plate go through all of its displacements"
+                                                         : ": vary other keys or ranges, or leave the target out"));
+  }
+}
+
 Evaluator::Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targets targets, Runs& runs)
     : cases_(std::move(cases)), keys_(std::move(keys)), targets_(std::move(targets)), runs_(runs) {
   for (const CalibrationTarget& target : targets_.all) {
     for (const Case& of : cases_) {
-      if (of.name == target.scene) judge_reach(target, of);
+      if (of.name == target.scene) judge_reach(target, of, keys_);
     }
   }
 }
@@ -92,7 +164,7 @@ Task Evaluator::task(const Case& of, const Setting& setting, int packing) const 
   }
   const Scene scene = scene_with(of, keys_, setting, seed);
   return {of.name + (seed > 0 ? " packing " + std::to_string(seed) : "") + " " + text_of(keys_, setting),
-          [scene, asked] { return asked_of(scene, asked); },
+          [scene, asked] { return judged_of(scene, asked); },
           hash_of(hash_of_scene(scene) + "\n" + hash_of_sources() + "\n" + wanted)};
 }
 
@@ -111,7 +183,7 @@ std::vector<Point> Evaluator::at(const std::vector<Setting>& settings, const Pac
   std::vector<Point> points;
   auto next = results.begin();
   for (const Setting& setting : settings) {
-    points.push_back({setting, {}, {}, {}});
+    points.push_back({.setting = setting, .values = {}, .misfits = {}, .failure = {}});
     for (int p = 0; p < packings.count; ++p, next += std::ssize(cases_))
       take({next, next + std::ssize(cases_)}, points.back());
   }
@@ -124,11 +196,17 @@ void Evaluator::take(const std::vector<Json>& runs, Point& point) const {
   for (const CalibrationTarget& target : targets_.all) {
     for (std::size_t c = 0; c < cases_.size(); ++c) {
       if (cases_[c].name != target.scene) continue;
-      if (runs[c].contains("failed")) point.failure = cases_[c].name + ": " + runs[c]["failed"].get<std::string>();
+      if (runs[c].contains("failed")) {
+        point.diverged = (point.failure.empty() || point.diverged) && runs[c].value("diverged", false);
+        point.failure = cases_[c].name + ": " + runs[c]["failed"].get<std::string>();
+      }
       values.push_back(runs[c].value(target.asked(), Json()));
+      point.unsaid += comparable(target, values.back()) ? 0 : 1;
     }
   }
-  point.misfits.push_back(furrow::validation::misfit(targets_, values));
+  const double misfit = furrow::validation::misfit(targets_, values);
+  if (!std::isfinite(misfit) && point.failure.empty()) point.failure = "its misfit is not finite";
+  point.misfits.push_back(std::isfinite(misfit) ? misfit : not_finite);
   point.values.push_back(std::move(values));
 }
 

@@ -1,6 +1,8 @@
 // A point of a calibration: all scenes with one setting, for some packings, judged by the targets.
 #pragma once
 
+#include <stdexcept>
+
 #include "validation/calibration/runs.h"
 #include "validation/calibration/targets.h"
 #include "validation/calibration/varied_key.h"
@@ -17,14 +19,31 @@ struct Point {
   std::vector<Json> values;     // by packing: an array, a value a target
   std::vector<double> misfits;  // by packing
   std::string failure;          // why a run of it failed, if one did
+  bool diverged = false;        // each run of it that failed diverged or left the validity of its laws
+  int unsaid = 0;               // targets, by packing, of which no run says a value that can be compared
   double misfit() const;        // mean over the packings
   double spread() const;        // their standard deviation; NaN for one packing
 };
 
+// First by what ran, then by how many targets have a value, then by misfit: no setting is better for what it leaves
+// unsaid.
+bool better(const Point& a, const Point& b);
+// Every run of it ended, and every target has a value.
+bool whole(const Point& point);
+
+// The runs say nothing that could be compared.
+class NothingCompared : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Throws NothingCompared if of some target no point has a value.
+void refuse_unsaid(const Targets& targets, const std::vector<Point>& points);
+
 // What is calibrated, and how points of it are made.
 class Evaluator {
  public:
-  // Throws std::invalid_argument if a target asks for what its scene does not do: a displacement that is not reached.
+  // Throws std::invalid_argument if a target asks for what its scene does not do: a displacement that no setting reaches.
   Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targets targets, Runs& runs);
 
   // Thread-safe.

@@ -89,6 +89,15 @@ Matrix slopes_of(const Evaluator& evaluator, const std::vector<Probe>& probes, E
   return slopes;
 }
 
+// Where a run says nothing there is no slope.
+bool all_whole(const Point& best, const std::vector<Probe>& probes) {
+  return whole(best) && std::all_of(probes.begin(), probes.end(),
+                                    [](const Probe& probe) { return whole(probe.low) && whole(probe.high); });
+}
+
+constexpr const char* unsaid_nearby =
+    "at the best setting or close to it a run failed, or does not say every target: there is no slope";
+
 // The linear theory about the best point.
 struct Linear {
   Linear(const Vector& r, const Vector& w, const Matrix& slopes) {
@@ -223,7 +232,9 @@ std::optional<Point> stepped(const Evaluator& evaluator, const Point& best, cons
   const Vector r = residuals_of(evaluator, best), w = weights_of(evaluator);
   if (ranged.empty() || r.size() < std::ssize(ranged)) return {};
   const Vector reach = Vector::Constant(std::ssize(ranged), least_probe);
-  const Matrix slopes = slopes_of(evaluator, probes_of(evaluator, best, ranged, reach, packings), r.size());
+  const std::vector<Probe> probes = probes_of(evaluator, best, ranged, reach, packings);
+  if (!all_whole(best, probes)) return {};
+  const Matrix slopes = slopes_of(evaluator, probes, r.size());
   const Vector root = w.cwiseSqrt();
   const Vector step = (root.asDiagonal() * slopes).completeOrthogonalDecomposition().solve(root.cwiseProduct(r));
   Setting setting = best.setting;
@@ -233,7 +244,7 @@ std::optional<Point> stepped(const Evaluator& evaluator, const Point& best, cons
     setting[ranged[i]] = key.at(std::clamp(share, 0.0, 1.0));
   }
   Point point = evaluator.at(setting, packings);
-  if (point.misfit() < best.misfit()) return point;
+  if (whole(point) && point.misfit() < best.misfit()) return point;
   return {};
 }
 
@@ -259,10 +270,12 @@ Identified identify(const Evaluator& evaluator, const Point& best, const Packing
                     std::to_string(ranged.size()) + " keys: an interval needs more numbers than keys";
     return found;
   }
+  if (!all_whole(best, probes)) return found.why_not = unsaid_nearby, found;
   Linear linear(r, w, slopes_of(evaluator, probes, r.size()));
   for (int k = 1; k < rounds; ++k) {
     reach = linear.half.cwiseMax(least_probe).cwiseMin(first_probe);
     probes = probes_of(evaluator, best, ranged, reach, packings);
+    if (!all_whole(best, probes)) return found.why_not = unsaid_nearby, found;
     linear = Linear(r, w, slopes_of(evaluator, probes, r.size()));
   }
   for (std::size_t i = 0; i < ranged.size(); ++i)

@@ -10,6 +10,8 @@
 
 #include "output/files.h"
 #include "scene/wording.h"
+#include "validation/calibration/judge_targets.h"
+#include "validation/calibration/says.h"
 #include "validation/calibration/targets.h"
 #include "validation/page/observables.h"
 
@@ -88,6 +90,13 @@ class Fields {
       fault(key + " is missing");
     else if (!(value > 0) || !std::isfinite(value))
       fault(key + " must be above 0, not " + shortest(value));
+    return value;
+  }
+  double within(const std::string& key, double otherwise, double least, double most) {
+    const std::size_t known = faults_.size();
+    const double value = positive(key, otherwise);
+    if (faults_.size() == known && !(value >= least && value <= most))
+      fault(key + " must be from " + shortest(least) + " to " + shortest(most) + ", not " + shortest(value));
     return value;
   }
   std::optional<std::array<double, 2>> pair(const std::string& key) {
@@ -169,6 +178,8 @@ void read_curve(MeasuredCurve& curve, const fs::path& file) {
       throw std::invalid_argument(where + ": must be two numbers, displacement and force, not " + in_quotes(line));
     curve.mm.push_back(millimetres * cell_number(cells[0], where));
     curve.force.push_back(cell_number(cells[1], where));
+    if (curve.mm.back() < 0)
+      throw std::invalid_argument(where + ": the displacement must not be below 0, where the plate starts");
     if (curve.mm.size() > 1 && !(curve.mm.back() > curve.mm[curve.mm.size() - 2]))
       throw std::invalid_argument(where + ": the displacement must rise from line to line");
   }
@@ -191,7 +202,7 @@ void read_value(CalibrationTarget& target, Fields& fields) {
     if (target.words.empty()) fields.fault("value must be the words that are expected");
     return;
   }
-  target.tolerance = fields.positive("tolerance", NAN);
+  target.tolerance = fields.within("tolerance", NAN, least_tolerance, most_tolerance);
   if (target.relation == Relation::between) {
     const auto ends = fields.pair("value");
     if (!ends) fields.fault("value must be [from, to]");
@@ -205,6 +216,19 @@ void read_value(CalibrationTarget& target, Fields& fields) {
     fields.fault("value must be finite, not " + shortest(target.value[0]));
 }
 
+// What the observable can say, against what the target wants of it.
+void judge_observable(const CalibrationTarget& target, Fields& fields) {
+  const Says says = says_of(target.observable);
+  if (target.relation == Relation::says && !target.words.empty()) {
+    if (const std::string fault = fault_of_words(target.observable, target.words); !fault.empty()) fields.fault(fault);
+  }
+  if (target.relation != Relation::says && !says.number)
+    fields.fault(target.observable + " says words, no number: give relation = \"says\" and the words as value");
+  if (!target.window) return;
+  if (!says.window) fields.fault("window has no effect on " + target.observable + ": leave it out");
+  if ((*target.window)[0] < 0) fields.fault("window must not begin below 0, where the plate starts");
+}
+
 void read_observable(CalibrationTarget& target, Fields& fields) {
   target.observable = fields.text("observable");
   target.window = fields.pair("window");
@@ -214,7 +238,9 @@ void read_observable(CalibrationTarget& target, Fields& fields) {
   } else if (std::find(known.begin(), known.end(), target.observable) == known.end()) {
     fields.fault("there is no observable " + in_quotes(target.observable) + nearest_or_all(target.observable, known));
   }
+  const bool is_known = std::find(known.begin(), known.end(), target.observable) != known.end();
   read_value(target, fields);
+  if (is_known) judge_observable(target, fields);
 }
 
 CalibrationTarget target_of(const Json& table, std::size_t number, const fs::path& file,
@@ -229,12 +255,14 @@ CalibrationTarget target_of(const Json& table, std::size_t number, const fs::pat
     target.curve->file = curve;
     target.curve->component = fields.choice("component", components, "F");
     target.curve->norm = fields.choice("norm", norms, "rms");
-    target.tolerance = fields.positive("tolerance", NAN);
+    target.tolerance = fields.within("tolerance", NAN, least_tolerance, most_tolerance);
     read_curve(*target.curve, file.parent_path() / curve);
   } else {
     read_observable(target, fields);
   }
-  target.weight = fields.positive("weight", 1);
+  if (const std::string fault = fault_of_tolerance(target); !fault.empty()) fields.fault(fault);
+  target.weight = fields.within("weight", 1, least_weight, most_weight);
+  target.named = fields.find("name") != nullptr;
   target.name = fields.text("name", target.curve ? target.curve->file : target.observable);
   fields.no_others();
   return target;
@@ -248,7 +276,7 @@ Targets read_targets(const fs::path& file, const std::vector<std::string>& scene
   Fields fields(root, file.string(), faults);
   Targets targets;
   targets.title = fields.text("title", file.stem().string());
-  targets.missing = fields.positive("missing", 10);
+  targets.missing = fields.within("missing", 10, least_missing, most_missing);
   targets.bounded =
       fields.choice("loss", std::map<std::string, bool>{{"squares", false}, {"bounded", true}}, "squares");
   const Json* list = fields.find("target");
@@ -256,6 +284,9 @@ Targets read_targets(const fs::path& file, const std::vector<std::string>& scene
   for (std::size_t k = 0; list && list->is_array() && k < list->size(); ++k)
     targets.all.push_back(target_of(list->at(k), k + 1, file, scenes, faults));
   fields.no_others();
+  if (faults.empty()) {
+    for (const std::string& fault : faults_between(targets.all, scenes)) fields.fault(fault);
+  }
   if (!faults.empty()) throw std::invalid_argument(joined(faults, "\n"));
   return targets;
 }

@@ -11,8 +11,19 @@
 #include <stdexcept>
 #include <thread>
 
+#include "system/ode.h"
+
 namespace furrow::validation {
 namespace {
+
+constexpr double unsaid_rank = 1e9;  // above every misfit of a point of which all is said
+
+// Orders points as better() does, for an optimiser that knows one number.
+double rank_of(const Point& point) {
+  const double misfit = point.misfit();
+  if (whole(point)) return std::min(misfit, unsaid_rank);
+  return unsaid_rank * (1 + point.unsaid + misfit / (1 + misfit));
+}
 
 // Over the keys that have a range, as shares of it; the listed ones stay.
 class Objective {
@@ -29,9 +40,9 @@ class Objective {
   double at(const double* shares) {
     for (std::size_t i = 0; i < ranged_.size(); ++i) setting_[ranged_[i]] = evaluator_.keys()[ranged_[i]].at(shares[i]);
     Point point = evaluator_.at(setting_, Packings{0, packings_});
-    const double misfit = point.misfit();
+    const double rank = rank_of(point);
     tried_.insert_or_assign(setting_, std::move(point));
-    return misfit;
+    return rank;
   }
 
   std::vector<double> shares_of(const Setting& setting) const {
@@ -106,10 +117,6 @@ void side_by_side(std::size_t count, unsigned jobs, const std::function<void(std
   if (broken) std::rethrow_exception(broken);
 }
 
-bool better(const Point& a, const Point& b) {
-  return a.misfit() != b.misfit() ? a.misfit() < b.misfit() : a.setting < b.setting;
-}
-
 const Point& best_of(const Objective& objective) {
   const auto& tried = objective.tried();
   return std::min_element(tried.begin(), tried.end(),
@@ -125,6 +132,22 @@ std::vector<std::size_t> best_first(const std::vector<Objective>& objectives, st
             [&](std::size_t a, std::size_t b) { return better(best_of(objectives[a]), best_of(objectives[b])); });
   order.resize(std::min(order.size(), most));
   return order;
+}
+
+// Settings that cannot be told apart choose none.
+void refuse_no_effect(const std::vector<Point>& points) {
+  const auto alike = [&](const Point& p) { return p.values == points.front().values; };
+  if (points.size() < 2 || !std::all_of(points.begin(), points.end(), alike)) return;
+  throw NothingCompared("no key moves any target: " + std::to_string(points.size()) +
+                        " settings give the same; vary other keys or wider ranges, or add a target that they move");
+}
+
+void refuse_failures(const std::vector<Point>& points) {
+  const auto failed = [](const Point& p) { return !p.failure.empty(); };
+  if (!std::all_of(points.begin(), points.end(), failed)) return;
+  const std::string said = "every setting failed, the best one so: " + points.front().failure;
+  if (std::all_of(points.begin(), points.end(), [](const Point& p) { return p.diverged; })) throw Divergence(said);
+  throw NothingCompared(said);
 }
 
 }  // namespace
@@ -157,8 +180,9 @@ std::vector<Point> search(const Evaluator& evaluator, const SearchPlan& plan) {
     for (const auto& [setting, point] : objective.tried()) points.push_back(point);
   }
   std::sort(points.begin(), points.end(), better);
-  if (std::all_of(points.begin(), points.end(), [](const Point& p) { return !p.failure.empty(); }))
-    throw std::runtime_error("every setting failed, the best one so: " + points.front().failure);
+  refuse_failures(points);
+  refuse_unsaid(evaluator.targets(), points);
+  refuse_no_effect(points);
   return points;
 }
 

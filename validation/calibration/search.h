@@ -20,7 +20,8 @@ struct SearchPlan {
 
 long runs_of(const SearchPlan& plan, const Evaluator& evaluator);  // at most
 
-// All points that were tried, the best first. Throws Interrupted, std::runtime_error if every point failed.
+// All points that were tried, the best first. Throws Interrupted; Divergence if every point failed and
+// diverged or became invalid; NothingCompared if every point failed, no point says a target, or all say the same.
 std::vector<Point> search(const Evaluator& evaluator, const SearchPlan& plan);
 
 }  // namespace furrow::validation

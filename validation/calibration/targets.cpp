@@ -19,21 +19,31 @@ double residual(const CalibrationTarget& t, double value) {
   return off / t.tolerance;
 }
 
-// Linear between two samples; NaN beyond the last.
+// Whether the plate goes through all of it, and there are samples: the last is within an interval of the end.
+bool covers(const RunRecord& run, double from, double to) {
+  const std::vector<double>& mm = run.force.mm;
+  if (mm.empty() || from < mm.front()) return false;
+  const double interval = mm.size() > 1 ? mm.back() - mm[mm.size() - 2] : 0;
+  return to <= mm.back() + interval && to <= plate_speed(run) * run.scene.time.end * (1 + 1e-9);
+}
+
+// Linear between two samples that cover it.
 double force_at(const std::vector<double>& mm, const std::vector<double>& force, double at) {
   const auto after = std::lower_bound(mm.begin(), mm.end(), at) - mm.begin();
-  if (after == std::ssize(mm)) return mm.empty() || at > mm.back() + 1 ? NAN : force.back();
-  if (after == 0) return force[0];
+  if (after == std::ssize(mm)) return force.back();
+  if (after == 0) return force.front();
   const double share = (at - mm[after - 1]) / (mm[after] - mm[after - 1]);
   return force[after - 1] + share * (force[after] - force[after - 1]);
 }
 
-Json curve_of(const MeasuredCurve& curve, const ForceCurve& ours) {
+Json curve_of(const MeasuredCurve& curve, const RunRecord& run) {
+  const ForceCurve& ours = run.force;
   const std::vector<double>& force = curve.component == "Fx" ? ours.fx : curve.component == "Fy" ? ours.fy : ours.f;
+  if (!covers(run, curve.mm.front(), curve.mm.back())) return nullptr;
   Json values = Json::array();
   for (const double mm : curve.mm) {
     const double f = force_at(ours.mm, force, mm);
-    if (!std::isfinite(f)) return nullptr;  // the run ended before
+    if (!std::isfinite(f)) return nullptr;
     values.push_back(std::stod(rounded(f, 8)));
   }
   return values;
@@ -54,6 +64,7 @@ double norm_of(CurveNorm norm, const std::vector<double>& off) {
 
 std::string CalibrationTarget::asked() const {
   std::vector<std::string> parts{observable};
+  if (relation == Relation::says) parts.emplace_back("in words");
   if (window) parts.push_back(shortest((*window)[0]) + " to " + shortest((*window)[1]));
   if (curve) {
     parts.push_back(curve->component);
@@ -63,16 +74,23 @@ std::string CalibrationTarget::asked() const {
 }
 
 Json value_of(const CalibrationTarget& target, const RunRecord& run) {
-  if (target.curve) return curve_of(*target.curve, run.force);
+  if (target.curve) return curve_of(*target.curve, run);
+  if (target.window && !covers(run, (*target.window)[0], (*target.window)[1])) return {};
   const Measured measured = measure(run, target.observable, target.window);
+  if (target.relation == Relation::says && !measured.words.empty()) return measured.words;
   if (std::isfinite(measured.value)) return measured.value;
   return measured.words.empty() ? Json() : Json(measured.words);
+}
+
+bool comparable(const CalibrationTarget& target, const Json& value) {
+  if (target.curve) return value.is_array() && value.size() == target.curve->mm.size();
+  return target.relation == Relation::says ? !value.is_null() : value.is_number();
 }
 
 std::vector<double> residuals(const CalibrationTarget& target, const Json& value, double missing) {
   if (target.relation == Relation::says && !target.curve) return {value == target.words ? 0.0 : 1.0};
   const std::size_t count = target.curve ? target.curve->mm.size() : 1;
-  if (target.curve ? !value.is_array() : !value.is_number()) return std::vector<double>(count, missing);
+  if (!comparable(target, value)) return std::vector<double>(count, missing);
   if (!target.curve) return {residual(target, value)};
   std::vector<double> off;
   for (std::size_t k = 0; k < count; ++k)

@@ -29,6 +29,7 @@ struct MeasuredCurve {
 
 struct CalibrationTarget {
   std::string name, scene, observable;
+  bool named = false;                           // the file gives the name
   std::optional<std::array<double, 2>> window;  // mm
   Relation relation = Relation::equals;
   std::array<double, 2> value{};  // equals, below, above: the first
@@ -53,8 +54,11 @@ struct Targets {
 Targets read_targets(const std::filesystem::path& file, const std::vector<std::string>& scenes);
 
 // What a run says of a target: a number, words, of a curve the forces at the measured displacements; null if it does
-// not say. Throws std::invalid_argument if there is no such observable.
+// not say, as where the plate does not go through all of the curve or window. Throws std::invalid_argument if there is no such observable.
 Json value_of(const CalibrationTarget& target, const RunRecord& run);
+
+// Whether a value of a run can be compared with the target: a number with a number, of a curve all its forces.
+bool comparable(const CalibrationTarget& target, const Json& value);
 
 // By how many tolerances a value misses, one number for each that is compared: one, or as many as a curve has points.
 std::vector<double> residuals(const CalibrationTarget& target, const Json& value, double missing);

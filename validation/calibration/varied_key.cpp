@@ -11,6 +11,7 @@
 #include "scene/read.h"
 #include "scene/set_key.h"
 #include "scene/wording.h"
+#include "validation/calibration/key_path.h"
 
 namespace furrow::validation {
 namespace {
@@ -53,6 +54,8 @@ void read_range(VariedKey& key, const std::string& text, const std::string& valu
   key.high = number_in(ends[1], text);
   if (!(key.low < key.high)) wrong(text, "the range must begin below its end");
   if (key.logarithmic && !(key.low > 0)) wrong(text, "a logarithmic range must lie above 0");
+  if (!std::isfinite(key.logarithmic ? key.high / key.low : key.high - key.low)) wrong(text, "the range is too wide");
+  if (key.at(0) == key.at(1)) wrong(text, "the ends of the range are the same to eight digits");
 }
 
 // What keeps a scene from having that value; empty if nothing does.
@@ -94,15 +97,38 @@ void judge_value(const std::vector<VariedKey>& keys, const std::vector<Case>& ca
   }
 }
 
-std::vector<std::string> extremes(const VariedKey& key) {
-  return key.listed() ? key.values : std::vector<std::string>{key.at(0), key.at(1)};
-}
-
 void find_whole(VariedKey& key, const std::vector<Case>& cases) {
   const std::string first = key.at(0), between = shortest(std::floor(key.low) + 0.5);
   for (const Case& of : cases) {
     for (const VariedKey::Path& path : key.paths)
       key.whole = key.whole || (belongs(path, of, first) && !belongs(path, of, between));
+  }
+}
+
+void judge_alone(const VariedKey& key) {
+  if (key.values.size() == 1)
+    wrong(key.name + "=" + key.values[0], "one value varies nothing: list two or more, or write it into the scene");
+  for (const VariedKey::Path& path : key.paths) {
+    const std::vector<std::string> steps = steps_of_path(path.path);
+    if (steps.size() > 1 && steps.front() == "packing" && steps.back() == "seed")
+      wrong(key.name, "a seed only draws another packing: leave it out, --packings and --fresh draw several");
+  }
+}
+
+// Every key of the scene by one path alone.
+void refuse_twice(const std::vector<VariedKey>& keys, const Case& of) {
+  std::vector<std::pair<std::vector<std::string>, std::string>> taken;  // with the name of the key
+  for (const VariedKey& key : keys) {
+    for (const VariedKey::Path& path : key.paths) {
+      if (!belongs(path, of, key.ends().front())) continue;
+      const std::vector<std::string> steps = steps_of_path(path.path);
+      for (const auto& [other, name] : taken) {
+        if (overlap(other, steps))
+          wrong(key.name, text_of_steps(steps) + " of " + of.name + " is varied twice" +
+                              (name == key.name ? "" : ", by " + in_quotes(name) + " too") + "; leave one out");
+      }
+      taken.emplace_back(steps, key.name);
+    }
   }
 }
 
@@ -124,9 +150,14 @@ VariedKey VariedKey::of(const std::string& text) {
     return key;
   }
   key.values = split(values, ',');
-  if (std::set(key.values.begin(), key.values.end()).size() < key.values.size()) wrong(text, "names a value twice");
+  std::set<std::string> different;
+  for (const std::string& value : key.values) {
+    if (!different.insert(canonical_value(value)).second) wrong(text, "names a value twice");
+  }
   return key;
 }
+
+std::vector<std::string> VariedKey::ends() const { return listed() ? values : std::vector<std::string>{at(0), at(1)}; }
 
 // Eight digits: settings stay readable, and no key of a scene is known better.
 std::string VariedKey::at(double share) const {
@@ -155,7 +186,7 @@ Scene scene_with(const Case& of, const std::vector<VariedKey>& keys, const Setti
   Scene scene = of.scene;
   for (std::size_t k = 0; k < keys.size(); ++k) {
     for (const VariedKey::Path& path : keys[k].paths) {
-      if (!belongs(path, of, extremes(keys[k]).front())) continue;  // it is of other scenes
+      if (!belongs(path, of, keys[k].ends().front())) continue;  // it is of other scenes
       if (const std::string fault = set_key(scene, path.path, setting[k]); !fault.empty())
         wrong(keys[k].name + "=" + setting[k], of.name + ": " + fault);
     }
@@ -166,18 +197,14 @@ Scene scene_with(const Case& of, const std::vector<VariedKey>& keys, const Setti
 
 void judge_keys(std::vector<VariedKey>& keys, const std::vector<Case>& cases) {
   if (keys.empty()) throw std::invalid_argument("--vary: name at least one key, as in --vary contact.friction=0.1:0.9");
-  std::set<std::string> names;
-  for (const VariedKey& key : keys) {
-    for (const VariedKey::Path& path : key.paths) {
-      if (!names.insert(path.scene + ":" + path.path).second) wrong(key.name, "is varied twice");
-    }
-  }
+  for (const VariedKey& key : keys) judge_alone(key);
+  for (const Case& of : cases) refuse_twice(keys, of);
   for (VariedKey& key : keys) {
     if (!key.listed()) find_whole(key, cases);
   }
   const Setting middle = combinations(keys).front();
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    for (const std::string& value : extremes(keys[k])) judge_value(keys, cases, middle, k, value);
+    for (const std::string& value : keys[k].ends()) judge_value(keys, cases, middle, k, value);
   }
 }
 

@@ -30,6 +30,8 @@ struct VariedKey {
   bool logarithmic = false;
   bool whole = false;  // of a range: its values are integers, those of the key
   bool listed() const { return !values.empty(); }
+  // All listed values, or the two of a range.
+  std::vector<std::string> ends() const;
 
   // The value that lies this share of the way from low to high, as a scene file writes it, and back.
   std::string at(double share) const;
@@ -48,8 +50,8 @@ using Setting = std::vector<std::string>;
 // the scene has does not take its value.
 Scene scene_with(const Case& of, const std::vector<VariedKey>& keys, const Setting& setting, int packing);
 
-// Finds which keys are integers. Throws std::invalid_argument if a key belongs to no scene, or a scene cannot be run at an end of a range or with a
-// listed value.
+// Finds which keys are integers. Throws std::invalid_argument if a key belongs to no scene, varies nothing or what another
+// varies too, or if a scene cannot be run at an end of a range or with a listed value.
 void judge_keys(std::vector<VariedKey>& keys, const std::vector<Case>& cases);
 
 // All combinations of listed values; keys with a range are in their middle.
