@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "output/build_info.h"
+#include "output/file_list.h"
 #include "output/files.h"
 #include "output/run_files.h"
 #include "program/commands.h"
@@ -76,9 +77,7 @@ std::string other_run(const fs::path& directory, const Scene& scene) {
     if (found == json.end()) return std::string("its run.json does not say its ") + key;
     if (*found != value) return std::string(key) + " is " + found->dump() + ", not " + value.dump();
   }
-  const RunRecord record = read_run(directory.filename(), directory);
-  if (scene_hash(record.scene) != scene_hash(scene)) return "its scene.toml is of another scene";
-  return broken_off(record);
+  return spoilt_file(directory);
 }
 
 // Whether the run in its directory is taken as it is; if not, the reason is said.

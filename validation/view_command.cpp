@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "output/file_list.h"
 #include "output/files.h"
 #include "output/owned_directory.h"
 #include "program/usage.h"
@@ -37,40 +38,15 @@ void write_own(const fs::path& directory, const std::string& ended, const std::s
   run.conclude(ended);
 }
 
-bool finite(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
-}
-
-// The file with a number that no run writes; empty if there is none.
-std::string spoilt_file(const RunRecord& run) {
-  const ForceCurve& force = run.force;
-  for (const auto* of : {&force.mm, &force.fx, &force.fy, &force.f})
-    if (!finite(*of)) return "plate_force.csv";
-  for (std::size_t k = 0; k < run.frames.size(); ++k)
-    for (const char* column : {"x [m]", "y [m]", "radius [m]"})
-      if (!finite(run.frames[k].discs.numbers(column))) return "picture " + std::to_string(k);
-  return {};
-}
-
-// Before the JSON library says it in its own words. A file that is not there is said by read_run.
-void refuse_no_run(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) return;
-  const bool empty = stream.peek() == std::ifstream::traits_type::eof();
-  if (empty || !nlohmann::json::accept(stream))
-    throw FileError(file.string() + (empty ? ": is empty" : ": is no whole JSON") + ": it is not what a run wrote");
-}
-
 int view_command(const ViewOptions& options) {
   const fs::path directory = options.directory;
   if (!fs::is_directory(directory))
     throw FileError(options.directory + ": no such directory; furrow run --out makes one");
-  refuse_no_run(directory / "run.json");
+  if (!fs::exists(directory / "run.json"))
+    throw FileError((directory / "run.json").string() + ": there is none: the run has not ended, or this is none");
+  if (const std::string spoilt = spoilt_file(directory); !spoilt.empty())
+    throw FileError(options.directory + ": " + spoilt + ": run it again");
   const RunRecord run = read_run(directory.filename(), directory);
-  if (const std::string why = run.finished() ? broken_off(run) : ""; !why.empty())
-    throw FileError(options.directory + ": the run finished, but " + why + ": its files are not whole");
-  if (const std::string file = spoilt_file(run); !file.empty())
-    throw FileError(options.directory + ": " + file + " has a number that is not finite");
   const std::string page = view_page(run, directory);
   const fs::path place = options.out.empty() ? directory / page_name : fs::path(options.out);
   if (options.out.empty())

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "output/build_info.h"
+#include "output/file_list.h"
 #include "output/first_touch.h"
 #include "output/machine.h"
 #include "output/owned_directory.h"
@@ -100,8 +101,12 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
     json["ended"] = ended;
     json["reason"] = reason;
     json["ended_at"] = at;
-    write_text(request.directory / "run.json", json.dump(2) + "\n");
-    return RunOutcome{ended, reason, json.dump(2) + "\n"};
+    std::vector<std::string> names = files_of(asked);
+    std::erase_if(names, [](const std::string& name) { return name == "run.json" || name == checkpoint_name; });
+    json["files"] = list_of_files(request.directory, names);
+    const std::string text = sealed_text(json);
+    write_text(request.directory / "run.json", text);
+    return RunOutcome{ended, reason, text};
   };
 
   const bool shares = asked.search.threads > 1;

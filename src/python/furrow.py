@@ -15,17 +15,20 @@ beside an installed copy of this file, or in build/release of the sources.
 
 import concurrent.futures
 import csv
+import io
 import itertools
 import json
 import math
 import numbers
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
 import tomllib
 import weakref
+import zlib
 
 try:
     import numpy
@@ -89,7 +92,10 @@ def _call(arguments, directory=None, made=None):
 def load(file):
     """A scene file as a dict."""
     with open(file, "rb") as stream:
-        return tomllib.load(stream)
+        try:
+            return tomllib.load(stream)
+        except ValueError as wrong:
+            raise Error(f"{file} is no TOML: {wrong}") from None
 
 
 def _value(value):
@@ -146,7 +152,16 @@ def keys(*patterns):
 
 # ---- outputs ----
 
-_WORDS = ("plate", "kind", "lattice", "body")  # columns of names, which may look like numbers
+_AGAIN = "run the scene again, or copy the file again from where it was made"
+_WORDS = ("plate", "wall", "kind", "lattice", "body")  # columns of names, which may look like numbers
+_OF_DISCS = ("spin", "radius", "von Mises")  # a node has none of them: its cells in state.csv are empty
+
+
+def _number(cell):
+    try:
+        return float(cell)
+    except ValueError:
+        return None
 
 
 def _column(name, cells):
@@ -154,6 +169,40 @@ def _column(name, cells):
         return numpy.array(cells, dtype=str) if numpy else cells
     values = [float(cell) if cell else math.nan for cell in cells]
     return numpy.array(values, dtype=float) if numpy else values
+
+
+def _rows(file):
+    """The rows of a CSV file, each with the number of its last line."""
+    with open(file, newline="", encoding="utf-8") as stream:
+        text = stream.read()
+    reader = csv.reader(io.StringIO(text, newline=""), strict=True)
+    rows = [(reader.line_num, row) for row in reader]
+    if rows and not text.endswith("\n"):
+        raise Error(f"{file}, row {rows[-1][0]}: it has no end, the file was cut; {_AGAIN}")
+    return rows
+
+
+def _units(file, headings):
+    """The unit of each column by its name."""
+    units = {}
+    for heading in headings:
+        name, _, unit = heading.partition(" [")
+        if not name or name in units:
+            what = f"two columns are named {name!r}" if name else "a column has no name"
+            raise Error(f"{file}, row 1: {what}; {_AGAIN}")
+        units[name] = unit.removesuffix("]")
+    return units
+
+
+def _require_cells(file, line, names, row):
+    if len(row) != len(names):
+        raise Error(f"{file}, row {line}: it has {len(row)} cells, the heading {len(names)}; {_AGAIN}")
+    node = "body" in names and row[names.index("body")].endswith("node")
+    for name, cell in zip(names, row):
+        if cell == "" and not (node and name in _OF_DISCS):
+            raise Error(f"{file}, row {line}: the cell of {name!r} is empty; {_AGAIN}")
+        if cell and name not in _WORDS and _number(cell) is None:
+            raise Error(f"{file}, row {line}: the cell of {name!r} is no number: {cell!r}; {_AGAIN}")
 
 
 class Table:
@@ -164,16 +213,18 @@ class Table:
 
     @classmethod
     def from_csv(cls, file):
-        with open(file, newline="", encoding="utf-8") as stream:
-            rows = list(csv.reader(stream))
-        if rows and len(rows[-1]) < len(rows[0]):
-            del rows[-1]  # of a run that was stopped while it wrote
-        columns, units = {}, {}
-        for k, heading in enumerate(rows[0]):
-            name, _, unit = heading.partition(" [")
-            units[name] = unit.rstrip("]")
-            columns[name] = _column(name, [row[k] for row in rows[1:]])
-        return cls(columns, units)
+        """A CSV file of furrow's. Rows are counted as lines, the heading is row 1."""
+        try:
+            rows = _rows(file)
+        except (OSError, ValueError, csv.Error) as wrong:
+            raise Error(f"{file} cannot be read as CSV: {wrong}; {_AGAIN}") from None
+        if not rows:
+            raise Error(f"{file}, row 1: there is no heading, the file is empty; {_AGAIN}")
+        units = _units(file, rows[0][1])
+        names = list(units)
+        for line, row in rows[1:]:
+            _require_cells(file, line, names, row)
+        return cls({name: _column(name, [row[k] for _, row in rows[1:]]) for k, name in enumerate(names)}, units)
 
     @property
     def names(self):
@@ -211,28 +262,155 @@ class Table:
         return pandas.DataFrame({f"{n} [{u}]" if u else n: self._columns[n] for n, u in self._units.items()})
 
 
+_ENDINGS = ("finished", "interrupted", "diverged", "invalid")
+_FIELDS = {"title": str, "method": str, "ended": str, "step": numbers.Real, "end": numbers.Real, "ended_at": numbers.Real}
+_COUNTS = {"discs": int, "nodes": int, "links": int, "steps": int}  # none if it ended while the scene settled
+
+# Methods that choose their steps end one where a row is due. The others take the nearest step.
+_CONTROLLED = ("pece_adaptive", "rkc", "odeint_cash_karp54", "odeint_dopri5", "odeint_fehlberg78", "odeint_bulirsch_stoer",
+               "odeint_rosenbrock4")
+
+
+def _crc(data):
+    return f"{zlib.crc32(data):08x}"
+
+
+def _json_in(file):
+    """Its contents and, if it has a seal, whether they are what was sealed."""
+    try:
+        text = file.read_bytes()
+        json_of = json.loads(text.decode("utf-8"))
+    except (OSError, ValueError, RecursionError) as wrong:
+        raise Error(f"{file} cannot be read as JSON: {wrong}; {_AGAIN}") from None
+    if not isinstance(json_of, dict):
+        raise Error(f"{file} holds no JSON object; {_AGAIN}")
+    sealed = text[:text.rfind(b',\n  "seal": "')]
+    return json_of, json_of.get("seal", _crc(sealed)) == _crc(sealed)
+
+
+def _fault_of_run(run):
+    """What is wrong with a run.json; nothing if it is right."""
+    settled = run.get("ended") == "finished" or any(name in run for name in _COUNTS)
+    for name, kind in (_FIELDS | (_COUNTS if settled else {})).items():
+        value = run.get(name)
+        if not isinstance(value, kind) or isinstance(value, bool) or kind is not str and not 0 <= value < math.inf:
+            return f"its field {name!r} is {value!r}" if name in run else f"it has no field {name!r}"
+    if not isinstance(run.get("files", {}), dict):
+        return f"its field 'files' is {run['files']!r}"
+    if run["ended"] not in _ENDINGS:
+        return f"its field 'ended' is {run['ended']!r}, none of {', '.join(_ENDINGS)}"
+    if run["ended"] == "finished" and not math.isclose(run["ended_at"], run["end"], rel_tol=1e-6):
+        return f"it says finished, but at {run['ended_at']} s of {run['end']} s"
+    return None
+
+
 class Run:
     """The files of one run. What a run is known by stands in `json`, the contents of run.json."""
 
-    def __init__(self, directory):
-        self.directory = pathlib.Path(directory)
-        file = self.directory / "run.json"
+    def __init__(self, directory, partial=False):
+        self.directory, self._partial = pathlib.Path(directory), partial
+        file, marker = self.directory / "run.json", self.directory / ".furrow.json"
+        standing = _json_in(marker)[0].get("standing") if marker.exists() else None
         if not file.exists():
-            raise Error(f"{self.directory} holds no run: there is no run.json in it")
-        self.json = json.loads(file.read_text(encoding="utf-8"))
+            why = "" if standing is None else "; its run is under way or was killed: wait for it, or furrow run --resume"
+            raise Error(f"{self.directory} holds no run: there is no run.json in it{why}")
+        self.json, as_sealed = _json_in(file)
+        fault = _fault_of_run(self.json)
+        if not fault and standing not in (None, self.json["ended"]):
+            fault = f"it says {self.json['ended']}, but .furrow.json {standing}: wait for the run, or furrow run --resume"
+        if not fault and not as_sealed:
+            fault = "its text and its seal differ"
+        if fault:
+            raise Error(f"{file} is not what a run writes: {fault}; {_AGAIN}")
 
     def __repr__(self):
         return f"Run in {self.directory}: {self.json['title']!r} {self.json['ended']}"
 
     def table(self, name):
         """A CSV file by its name below the directory: "energy.csv", "frames/discs_000.csv"."""
-        file = self.directory / name
-        part = file.with_name(file.name + ".partial")  # of a run that did not come to its end
-        if not file.exists() and part.exists():
+        file, ended = self.directory / name, self.json["ended"]
+        part = file.with_name(file.name + ".partial")  # of a run that was interrupted
+        if part.exists() and not file.exists():
+            if ended == "finished":
+                raise Error(f"{part} is not complete, but run.json says finished; {_AGAIN}")
+            if not self._partial:
+                raise Error(f"{part} is not complete: the run ended as {ended!r} at {self.json['ended_at']} s; "
+                            "resume it, or read it as far as it came with furrow.read(..., partial=True)")
             file = part
         if not file.exists():
-            raise Error(f"{self.directory} has no {name}: the run ended as {self.json['ended']!r}")
-        return Table.from_csv(file)
+            raise Error(f"{self.directory} has no {name}: the run ended as {ended!r}")
+        table = Table.from_csv(file)
+        self._require_whole(name, file, table)
+        if file is not part:
+            self._require_as_written(name)
+        return table
+
+    def _require_as_written(self, name):
+        """The file has the length and the CRC-32 that run.json has of it."""
+        wanted = self.json.get("files", {}).get(name)
+        if wanted is None:
+            return
+        data = (self.directory / name).read_bytes()
+        if wanted != f"{len(data)} {_crc(data)}":
+            raise Error(f"{self.directory / name} is not what the run wrote: its length or CRC-32 is not that in run.json; "
+                        f"{_AGAIN}")
+
+    def _require_whole(self, name, file, table):
+        """The rows are all that run.json, scene.toml and the picture beside say there are."""
+        due, parts = self._due(name)
+        if due is not None:
+            self._require_times(file, table, due, parts)
+        rows = self._count(name)
+        if rows is not None and rows != len(table):
+            raise Error(f"{file}: it ends with row {len(table) + 1}, but the run wrote {rows + 1} rows; {_AGAIN}")
+
+    def _due(self, name):
+        """When a series has rows, and how many at each time; None for what is no series."""
+        series = ("plate_force.csv", "wall_force.csv", "drive_force.csv", "energy.csv", "motion.csv", "frames/frames.csv")
+        if name not in series:
+            return None, 0
+        try:
+            scene = self.scene
+            output, slack = scene["output"], self._slack()
+            interval, last = output["interval"], self.json["ended_at"]
+            drives = sum(len(lattice.get("drive", ())) for lattice in scene.get("lattice", ()))
+            parts = {"plate_force.csv": len(scene.get("plate", ())), "wall_force.csv": len(scene.get("wall", ())),
+                     "drive_force.csv": drives, "energy.csv": int(output["energy"])}.get(name, 1)
+            if name == "frames/frames.csv":
+                times = output["frames"]
+            else:
+                times = [k * interval for k in range(math.floor((last + slack) / interval) + 2)]
+            due = [t for t in times if last >= t - slack]
+        except (KeyError, TypeError, ValueError, AttributeError, ArithmeticError) as wrong:
+            raise Error(f"{self.directory / 'scene.toml'} is not what the run wrote: {wrong!r}; {_AGAIN}") from None
+        may_be_none = self.json["ended"] != "finished" and self.json["steps"] == 0  # it ended before its first row
+        return (None if may_be_none else due), parts
+
+    def _slack(self):
+        return 0 if self.json["method"] in _CONTROLLED else 0.5 * self.json["step"]
+
+    def _require_times(self, file, table, due, parts):
+        times = table["t"]
+        for k, t in enumerate(times[:len(due) * parts]):
+            wanted = due[k // parts]
+            if not abs(t - wanted) <= self._slack() + 1e-9 * max(wanted, self.json["step"]):
+                raise Error(f"{file}, row {k + 2}: it is of {t} s where {wanted} s is due, so rows are missing or doubled; "
+                            f"{_AGAIN}")
+        if len(times) != len(due) * parts:
+            last = f"row {len(times) + 1}" + (f" of {times[-1]} s" if len(times) else ", the heading")
+            raise Error(f"{file}: it ends with {last}, but the run ended as {self.json['ended']!r} at "
+                        f"{self.json['ended_at']} s and wrote {len(due) * parts + 1} rows; {_AGAIN}")
+
+    def _count(self, name):
+        """How many rows a state or a picture has; None if nothing says so."""
+        if name == "state.csv" and "discs" in self.json:
+            return self.json["discs"] + self.json["nodes"]
+        picture = (self.directory / name).with_suffix(".vtp")  # the same parts, with their number in its third line
+        if not name.startswith("frames/") or not picture.exists():
+            return None
+        with open(picture, encoding="utf-8", errors="replace") as stream:
+            found = re.search(r' NumberOf(?:Verts|Lines|Polys)="(\d+)"', stream.read(1000))
+        return int(found[1]) if found else None
 
     plate_force = property(lambda self: self.table("plate_force.csv"))
     drive_force = property(lambda self: self.table("drive_force.csv"))  # of a scene that drives nodes
@@ -250,18 +428,41 @@ class Run:
     @property
     def scene(self):
         """The scene that was run, every key with its value."""
+        if not (self.directory / "scene.toml").exists():
+            raise Error(f"{self.directory} has no scene.toml, which every run writes; {_AGAIN}")
+        self._require_as_written("scene.toml")
         return load(self.directory / "scene.toml")
 
 
-def read(directory):
-    """A run that was made earlier."""
-    return Run(directory)
+def read(directory, partial=False):
+    """A run that was made earlier. With `partial` the series of one that was interrupted are read as far as they came."""
+    return Run(directory, partial)
 
 
 # ---- runs ----
 
 
+def _steps(key):
+    """A key in its parts, however it is spelled: "disc[00].position.x" is disc, 0, position, x."""
+    return tuple(part.lstrip("0") or "0" if part.isdigit() else part for part in re.split(r"[.\[\]]+", key) if part)
+
+
+def _require_once(keys):
+    """Of two that set one key, or a key and a part of it, one would be dropped without a word."""
+    said = {}
+    for key in keys:
+        said.setdefault(_steps(key), []).append(key)
+    for steps, spelled in said.items():
+        for k in range(1, len(steps) + 1):
+            others = said.get(steps[:k], []) if k < len(steps) else spelled[:-1]
+            if others:
+                same = others[0] == spelled[-1]
+                raise Error(f"{spelled[-1]} is given twice; give it once" if same else
+                            f"{others[0]} and {spelled[-1]} set the same key; give one of them")
+
+
 def _settings(set):
+    _require_once(set or {})
     return [word for key, value in (set or {}).items()
             for word in ("--set", f"{key}={value if isinstance(value, str) else _value(value)}")]
 
@@ -300,6 +501,15 @@ class Member:
         return f"Member {self.parameters}: {self.run or self.error}"
 
 
+def _values(key, values):
+    if isinstance(values, str) or not hasattr(values, "__iter__"):
+        raise Error(f"{key} is not varied over a list: {values!r}; give a list of values")
+    values = list(values)
+    if not values:
+        raise Error(f"the list of {key} is empty, so there is nothing to run; give it a value, or leave it out")
+    return values
+
+
 def _combinations(vary):
     return [dict(zip(vary, values)) for values in itertools.product(*vary.values())]
 
@@ -317,12 +527,18 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
     packings = len(scene.get("packing", []))
     if seeds is not None and not packings:
         raise Error("seeds are for scenes with a packing; this one has none")
+    vary = {key: _values(key, values) for key, values in (vary or {}).items()}
+    if "seed" in vary:
+        raise Error("vary has no key seed; give the seeds of packings as seeds")
+    seeds = None if seeds is None else _values("seeds", seeds)
+    seeded = [] if seeds is None else [f"packing[{k}].seed" for k in range(packings)]
+    _require_once([*(set or {}), *vary, *seeded])
     members = [({} if seeds is None else {"seed": seed}) | parameters
-               for parameters in _combinations(vary or {}) for seed in ([None] if seeds is None else seeds)]
+               for parameters in _combinations(vary) for seed in ([None] if seeds is None else seeds)]
 
     def one(index, parameters):
         changes = dict(set or {}) | {key: value for key, value in parameters.items() if key != "seed"}
-        changes |= {f"packing[{k}].seed": parameters["seed"] for k in range(packings) if "seed" in parameters}
+        changes |= {key: parameters["seed"] for key in seeded}
         return run(scene, changes, pathlib.Path(out) / f"{index:03d}" if out else None)
 
     with concurrent.futures.ThreadPoolExecutor(jobs or os.cpu_count()) as pool:

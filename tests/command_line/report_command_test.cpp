@@ -105,13 +105,19 @@ TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
   const auto longer = [](const std::string& text) {
     return std::regex_replace(text, std::regex("end = 0.05"), "end = 0.06");
   };
+  const auto another_number = [](std::string text) {
+    const std::size_t digit = text.rfind("0.");
+    return digit == std::string::npos ? text + "1" : text.replace(digit, 1, "9");
+  };
   using Spoil = std::function<std::string(const std::string&)>;
   for (const auto& [file, spoil, why] :
-       {std::tuple<std::string, Spoil, const char*>{"plate_force.csv", half, "plate_force.csv ends at t = 0.02"},
-        {"energy.csv", half, "energy.csv ends at t = 0.02"},
-        {"energy.csv", in_a_line, "energy.csv: is cut short"},
-        {"frames/frames.csv", without_last, "frames.csv has 5 of 6 pictures"},
-        {"scene.toml", longer, "its scene.toml is of another scene"}}) {
+       {std::tuple<std::string, Spoil, const char*>{"plate_force.csv", half, "plate_force.csv is not"},
+        {"energy.csv", half, "energy.csv is not"},
+        {"energy.csv", in_a_line, "energy.csv is not"},
+        {"events.csv", another_number, "events.csv is not"},
+        {"frames/frames.csv", without_last, "frames.csv is not"},
+        {"scene.toml", longer, "scene.toml is not"},
+        {"run.json", another_number, "run.json is not"}}) {
     const fs::path place = directory_ / "page/scenario_2" / file;
     const std::string sound = text_of(place);
     std::ofstream(place) << spoil(sound);
@@ -119,7 +125,7 @@ TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
     EXPECT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
     EXPECT_NE(err().find("page/scenario_2: run again: "), std::string::npos) << err();
     EXPECT_NE(err().find(why), std::string::npos) << err();
-    EXPECT_EQ(text_of(place), sound) << file << " is there again";
+    EXPECT_TRUE(file == "run.json" || text_of(place) == sound) << file << " is not there again";
   }
 }
 

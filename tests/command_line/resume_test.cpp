@@ -70,7 +70,7 @@ class Resume : public Program {
   std::map<std::string, std::string> bytes(const std::string& below) const {
     std::map<std::string, std::string> all = bits(below);
     auto json = nlohmann::json::parse(text(below + "/run.json"));
-    for (const char* time : {"settling_cpu_seconds", "cpu_seconds", "wall_seconds"}) json.erase(time);
+    for (const char* time : {"settling_cpu_seconds", "cpu_seconds", "wall_seconds", "seal"}) json.erase(time);
     all["run.json"] = json.dump(1);
     return all;
   }

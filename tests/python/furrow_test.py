@@ -1,14 +1,18 @@
 """Tests of src/python/furrow.py, against the program that the variable FURROW names. With -S there is no numpy."""
 
 import csv
+import json
 import math
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
 import tomllib
 import unittest
+import zlib
 
 source = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, os.environ.get("FURROW_PYTHON", str(source / "src/python")))
@@ -156,6 +160,176 @@ class Runs(unittest.TestCase):
         self.assertFalse(directory.exists())
 
 
+class Broken(unittest.TestCase):
+    """Files that are not what a run wrote: one error, which names the file and the row."""
+
+    @classmethod
+    def setUpClass(cls):
+        kept = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(kept.cleanup)
+        cls.whole = pathlib.Path(kept.name) / "whole"
+        furrow.run(FIRST, {"time.end": 0.1, "output.interval": 0.01}, out=cls.whole)
+
+    def setUp(self):
+        self.place = self.whole.with_name("a")
+        shutil.copytree(self.whole, self.place)
+        self.addCleanup(shutil.rmtree, self.place)
+
+    def change(self, name, change):
+        file = self.place / name
+        file.write_text(change(file.read_text()))
+
+    def change_json(self, **fields):
+        """As a program writes it that knows no seal."""
+        kept = {key: value for key, value in json.loads((self.place / "run.json").read_text()).items()
+                if key not in ("files", "seal")}
+        (self.place / "run.json").write_text(json.dumps(kept | fields))
+
+    def seal(self):
+        """As a program writes it that seals its files."""
+        def crc(data):
+            return f"{zlib.crc32(data):08x}"
+
+        names = [str(file.relative_to(self.place)) for file in self.place.rglob("*.csv")] + ["scene.toml"]
+        data = {name: (self.place / name).read_bytes() for name in names}
+        self.change_json(files={name: f"{len(data[name])} {crc(data[name])}" for name in names})
+        text = json.dumps(json.loads((self.place / "run.json").read_text()), indent=2)[:-2]
+        (self.place / "run.json").write_text(f'{text},\n  "seal": "{crc(text.encode())}"\n}}\n')
+
+    def require_error(self, action, *words):
+        with self.assertRaises(furrow.Error) as caught:
+            action()
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+
+    def test_a_cell_a_row_or_a_column_that_is_wrong_is_named(self):
+        table = self.place / "table.csv"
+        for text, *words in (
+                ("", "row 1", "empty"),
+                ("a [m],b\n1,2\n3\n5,6\n", "row 3", "1 cells, the heading 2"),
+                ("a [m],b\n1,2\n\n5,6\n", "row 3", "0 cells"),
+                ("a [m],b\n1,2\n3,4,5\n", "row 3", "3 cells"),
+                ("a [m],b\n1,2\n3\n", "row 3", "1 cells"),
+                ("a [m],b\n1,2\n3,\n", "row 3", "'b' is empty"),
+                ("a [m],b\n1,x\n", "row 2", "'b' is no number: 'x'"),
+                ("plate,b\n,1\n", "row 2", "'plate' is empty"),
+                ("a [m],b\n1,2\n3,4", "row 3", "was cut"),
+                ("a [m],b,a [m]\n1,2,3\n", "row 1", "two columns are named 'a'"),
+                ("a [m],a [mm]\n1,2\n", "row 1", "two columns are named 'a'"),
+                ("a,,b\n1,2,3\n", "row 1", "no name"),
+                ("body,radius [m]\ndisc,\n", "row 2", "'radius' is empty"),
+                ('a,b\n1,"2\n', "cannot be read as CSV")):
+            with self.subTest(text):
+                table.write_text(text)
+                self.require_error(lambda: furrow.Table.from_csv(table), str(table), *words)
+        table.write_bytes(b"a\n\xff\n")
+        self.require_error(lambda: furrow.Table.from_csv(table), str(table), "cannot be read")
+        self.require_error(lambda: furrow.Table.from_csv(self.place / "none.csv"), "none.csv", "cannot be read")
+
+    def test_a_node_has_no_radius(self):
+        self.assertTrue(all(math.isnan(radius) for radius in furrow.read(self.place).state["radius"]))
+
+    def test_rows_that_are_missing_or_doubled_are_named(self):
+        def without(first, last=None):
+            return lambda text: "".join(text.splitlines(True)[:first] + (text.splitlines(True)[last:] if last else []))
+
+        def doubled(text):
+            lines = text.splitlines(True)
+            return "".join(lines[:5] + lines[4:])
+
+        for name, change, *words in (
+                ("plate_force.csv", without(4), "ends with row 4 of 0.02 s", "finished", "wrote 12 rows"),
+                ("plate_force.csv", without(11), "ends with row 11 of 0.09"),
+                ("motion.csv", without(1), "ends with row 1, the heading"),
+                ("energy.csv", without(4, 5), "row 5", "s where 0.03 s is due"),
+                ("energy.csv", doubled, "row 6", "s where 0.04 s is due"),
+                ("wall_force.csv", lambda text: text + "0,floor,1,1,1\n", "wrote 1 rows"),
+                ("state.csv", without(20), "ends with row 20", "wrote 31 rows"),
+                ("frames/frames.csv", without(1), "ends with row 1", "wrote 2 rows"),
+                ("frames/links_000.csv", without(50), "ends with row 50", "wrote 118 rows"),
+                ("frames/plates_000.csv", without(1), "ends with row 1", "wrote 2 rows")):
+            with self.subTest(name):
+                before = (self.place / name).read_text()
+                self.change(name, change)
+                self.require_error(lambda: furrow.read(self.place).table(name), str(self.place / name), *words)
+                (self.place / name).write_text(before)
+                furrow.read(self.place).table(name)
+
+    def test_whole_files_are_read_whatever_the_step_and_the_interval(self):
+        names = ("plate_force.csv", "wall_force.csv", "energy.csv", "motion.csv", "events.csv", "state.csv",
+                 "frames/frames.csv", "frames/discs_000.csv", "frames/links_000.csv", "frames/plates_000.csv",
+                 "frames/contacts_000.csv")
+        for scene, changes in (
+                (FIRST, {"time.end": 0.3, "output.interval": 0.1}),
+                (FIRST, {"time.end": 0.3, "output.interval": 0.1, "time.method": "odeint_dopri5"}),
+                (FIRST, {"time.end": 0.1003, "output.interval": 0.00013}),
+                (FIRST, {"time.end": 0.1, "output.interval": 0.00015, "time.locate": "all", "output.energy": False}),
+                (DISC, {})):
+            run = furrow.run(scene, changes)
+            for name in names:
+                with self.subTest(name, **changes):
+                    self.assertEqual(len(run.table(name)), len(rows_of(run.directory / name)) - 1)
+
+    def test_methods_that_choose_their_steps_are_those_of_the_program(self):
+        listed = subprocess.run([furrow.program(), "methods"], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(set(re.findall(r"^(\S+) .*?  controlled  ", listed, re.MULTILINE)), set(furrow._CONTROLLED))
+
+    def test_a_run_json_that_is_broken_is_named(self):
+        whole = json.loads((self.place / "run.json").read_text())
+        without = {key: value for key, value in whole.items() if key != "ended"}
+        for text, word in (("", "JSON"), ("{", "JSON"), ("[]", "no JSON object"), ("null", "no JSON object"),
+                           ("{}", "no field 'title'"), (json.dumps(without), "no field 'ended'"),
+                           (json.dumps(whole | {"ended": ["x"]}), "'ended' is ['x']"),
+                           (json.dumps(whole | {"ended": "well"}), "'ended' is 'well'"),
+                           (json.dumps(whole | {"end": "1"}), "'end' is '1'"),
+                           (json.dumps(whole | {"end": math.nan}), "'end' is nan"),
+                           (json.dumps(whole | {"discs": None}), "'discs' is None"),
+                           (json.dumps(whole | {"ended_at": 0.05}), "finished, but at 0.05 s of 0.1 s"),
+                           (json.dumps(whole | {"ended": "diverged"}), "diverged, but .furrow.json finished")):
+            with self.subTest(text[:20], word=word):
+                (self.place / "run.json").write_text(text)
+                self.require_error(lambda: furrow.read(self.place), str(self.place / "run.json"), word)
+
+    def test_a_scene_that_is_broken_or_gone_is_named(self):
+        for text in ("", "[output\n", "output = 1\n", None):
+            with self.subTest(text):
+                (self.place / "scene.toml").unlink() if text is None else (self.place / "scene.toml").write_text(text)
+                self.require_error(lambda: furrow.read(self.place).energy, "scene.toml")
+
+    def test_a_file_that_is_not_what_run_json_says_is_named(self):
+        self.seal()
+        furrow.read(self.place).motion
+        for name, change in (("energy.csv", lambda text: text[:-2] + ("1\n" if text[-2] != "1" else "2\n")),
+                             ("frames/links_000.csv", lambda text: text.replace("structural", "diagonal", 1)),
+                             ("events.csv", lambda text: text + "0.01,0,shear,stem,1,1,2,0,1,40\n")):
+            with self.subTest(name):
+                self.change(name, change)
+                self.require_error(lambda: furrow.read(self.place).table(name), str(self.place / name), "CRC-32")
+        self.change("scene.toml", lambda text: text + "\n")
+        self.require_error(lambda: furrow.read(self.place).scene, str(self.place / "scene.toml"), "CRC-32")
+        self.change("run.json", lambda text: text.replace('"links": 117', '"links": 118'))
+        self.require_error(lambda: furrow.read(self.place), str(self.place / "run.json"), "its seal differ")
+
+    def test_a_run_that_is_under_way_or_was_killed_is_no_run(self):
+        self.change(".furrow.json", lambda text: text.replace('"finished"', '"running"'))
+        self.require_error(lambda: furrow.read(self.place), "finished, but .furrow.json running")
+        (self.place / "run.json").unlink()
+        self.require_error(lambda: furrow.read(self.place), "there is no run.json in it", "under way or was killed")
+
+    def test_a_partial_series_is_read_only_if_that_is_asked_for(self):
+        file, part = self.place / "energy.csv", self.place / "energy.csv.partial"
+        file.rename(part)
+        for partial in (False, True):
+            self.require_error(lambda: furrow.read(self.place, partial).energy, str(part), "run.json says finished")
+        self.change_json(ended="interrupted", ended_at=0.0504)
+        self.change(".furrow.json", lambda text: text.replace('"finished"', '"interrupted"'))
+        part.write_text("".join(part.read_text().splitlines(True)[:7]))
+        self.require_error(lambda: furrow.read(self.place).energy, str(part), "'interrupted' at 0.0504 s", "partial=True")
+        self.assertEqual(len(furrow.read(self.place, partial=True).energy), 6)
+        part.write_text("".join(part.read_text().splitlines(True)[:6]))
+        self.require_error(lambda: furrow.read(self.place, partial=True).energy, str(part), "row 6 of 0.04 s")
+
+
 class Ensembles(unittest.TestCase):
 
     def test_every_combination_is_run_in_order_with_its_seeds(self):
@@ -182,6 +356,37 @@ class Ensembles(unittest.TestCase):
     def test_seeds_need_a_packing(self):
         with self.assertRaisesRegex(furrow.Error, "this one has none"):
             list(furrow.ensemble(FIRST, seeds=[1]))
+
+    def test_with_nothing_to_run_it_is_an_error(self):
+        for words, given in (("the list of time.step is empty", {"vary": {"time.step": []}}),
+                             ("the list of time.step is empty", {"vary": {"time.end": [0.1], "time.step": iter(())}}),
+                             ("the list of seeds is empty", {"seeds": []}),
+                             ("time.step is not varied over a list: 0.1", {"vary": {"time.step": 0.1}}),
+                             ("time.method is not varied over a list: 'pece'", {"vary": {"time.method": "pece"}}),
+                             ("vary has no key seed", {"vary": {"seed": [1, 2]}})):
+            with self.subTest(words), self.assertRaisesRegex(furrow.Error, words):
+                list(furrow.ensemble(PACKED, **given))
+
+    def test_a_key_that_is_set_twice_is_an_error_that_names_both(self):
+        def given(keys):
+            return {key: [1] for key in keys}
+
+        for one, other in (("disc[0].radius", "disc[00].radius"), ("disc[0].position", "disc[0].position.x"),
+                           ("disc[0].position.x", "disc[00].position"), ("output.frames", "output.frames[1]"),
+                           ("time.step", "time.step.")):
+            a, b = re.escape(one), re.escape(other)
+            wanted = f"^({a} and {b}|{b} and {a}) set the same key"
+            with self.subTest(one), self.assertRaisesRegex(furrow.Error, wanted):
+                furrow.run(DISC, given((one, other)))
+            with self.subTest(one, vary=True), self.assertRaisesRegex(furrow.Error, wanted):
+                list(furrow.ensemble(DISC, given((one, other))))
+            with self.subTest(one, both=True), self.assertRaisesRegex(furrow.Error, wanted):
+                list(furrow.ensemble(DISC, given((one,)), set={other: 1}))
+        with self.assertRaisesRegex(furrow.Error, "time.step is given twice"):
+            list(furrow.ensemble(DISC, {"time.step": [1e-6]}, set={"time.step": 1e-6}))
+        with self.assertRaisesRegex(furrow.Error, r"packing.00..seed and packing.0..seed set the same key"):
+            list(furrow.ensemble(PACKED, seeds=[1], set={"packing[00].seed": 2}))
+        furrow.run(DISC, {"disc[0].position.x": 0.0, "disc[0].position.y": 0.1, "disc[0].velocity": [0, -0.2]})
 
 
 @unittest.skipIf(os.environ.get("FURROW_WITHOUT_NUMPY"), "they need numpy")
