@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
+#include <regex>
 #include <stdexcept>
 
 #include "methods/method.h"
@@ -31,15 +31,29 @@ Change change_of(const std::string& set) {
   return {"--set " + path, path, set.substr(equals + 1)};
 }
 
-// Of two that set one key, one would be dropped without a word.
+// The path without zeros in front of an index and without a dot at its end: disc[00]. is disc[0].
+std::string one_spelling(const std::string& path) {
+  static const std::regex spare(R"((\[)0+(?=[0-9])|\.$)");
+  return std::regex_replace(path, spare, "$1");
+}
+
+bool is_within(const std::string& part, const std::string& whole) {
+  return part.starts_with(whole) &&
+         (part.size() == whole.size() || part[whole.size()] == '.' || part[whole.size()] == '[');
+}
+
+// Of two that set one key, or a key and a part of it, one would be dropped without a word.
 void refuse_twice(const std::vector<Change>& changes) {
-  std::map<std::string, std::string> said;
-  for (const Change& change : changes) {
-    const auto [first, fresh] = said.try_emplace(change.path, change.option);
-    if (fresh) continue;
-    const bool same = first->second == change.option;
-    throw std::invalid_argument(change.option + ": " + (same ? "given twice" : first->second + " sets it too") +
-                                "; give one of them");
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const std::string path = one_spelling(changes[k].path);
+    for (std::size_t first = 0; first < k; ++first) {
+      const std::string other = one_spelling(changes[first].path);
+      if (!is_within(path, other) && !is_within(other, path)) continue;
+      const bool same = changes[first].option == changes[k].option;
+      throw std::invalid_argument(changes[k].option + ": " +
+                                  (same ? "given twice" : changes[first].option + " sets it too") +
+                                  "; give one of them");
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // What a scene gives and what changes nothing in it, and lattices that cannot do what their links say.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -25,6 +26,10 @@ void judge_contact(const std::string& path, const auto& c, const Model& model, F
   const bool linear = model.law == ForceLaw::linear, spring = model.rolling == Rolling::spring;
   idle(c.normal_stiffness, linear, ".normal_stiffness", "model.law is not linear");
   idle(c.tangential_stiffness, linear, ".tangential_stiffness", "model.law is not linear");
+  const std::optional<double> friction = c.friction;
+  if (linear && friction.value_or(0) > 0 && c.tangential_stiffness.value_or(1) == 0)
+    idle(friction, model.slip_damping && c.tangential_damping.value_or(c.damping.value_or(0)) > 0, ".friction",
+         "tangential_stiffness is 0, and the tangent is not damped");
   idle(c.tangential_damping, model.slip_damping, ".tangential_damping", "model.slip_damping is false");
   idle(c.rolling_stiffness, spring, ".rolling_stiffness", "model.rolling is not spring");
   idle(c.rolling_damping, spring, ".rolling_damping", "model.rolling is not spring");
@@ -36,6 +41,12 @@ void judge_contact(const std::string& path, const auto& c, const Model& model, F
 template <class Has>
 bool any_contact(const Scene& s, const Has& has) {
   return has(s.contact) || std::any_of(s.contact.pair.begin(), s.contact.pair.end(), has);
+}
+
+void judge_ramp(const std::string& path, double ramp, Vec2 velocity, const Scene& s, Findings& found) {
+  if (ramp > 0 && velocity == Vec2{}) found.warning(path, "has no effect: the velocity is 0");
+  if (ramp > s.time.end && velocity != Vec2{})
+    found.warning(path, "is longer than the run: the velocity is never reached");
 }
 
 // Options of [model] for which the scene has no use.
@@ -63,8 +74,18 @@ void judge_options(const Scene& s, bool rolls, Findings& found) {
   if (m.new_faces.value_or(false))
     idle(true, std::any_of(s.lattice.begin(), s.lattice.end(), may_tear), "model.new_faces", "no lattice can tear");
   for (std::size_t k = 0; k < s.plate.size(); ++k)
-    if (s.plate[k].ramp > 0 && s.plate[k].velocity == Vec2{})
-      found.warning(item("plate", k) + ".ramp", "has no effect: the velocity is 0");
+    judge_ramp(item("plate", k) + ".ramp", s.plate[k].ramp, s.plate[k].velocity, s, found);
+}
+
+// A bed settles when nothing in it is faster than settle.speed: than what a disc gains as it falls by its radius, say.
+void judge_settling(const Scene& s, Findings& found) {
+  double radius = 0;
+  for (const Disc& d : s.disc) radius = std::max(radius, d.radius);
+  for (const Packing& p : s.packing) radius = std::max(radius, p.radius_max);
+  const double falling = std::sqrt(2 * s.model.gravity * radius);
+  if (radius > 0 && s.settle->speed > falling)
+    found.warning("settle.speed", "a disc that falls by its radius is no faster than " + rounded(falling, 3) +
+                                      " m/s: what counts as settled may still fall");
 }
 
 void judge_keys(const Scene& s, Findings& found) {
@@ -89,6 +110,7 @@ void judge_keys(const Scene& s, Findings& found) {
   idle(s.output.angles, discs == 0, "output.angles", "there are no discs");
   idle(s.output.checkpoint.value_or(0) > s.time.end, true, "output.checkpoint", "it is longer than the run");
   judge_options(s, rolls, found);
+  if (s.settle) judge_settling(s, found);
   judge_contact("contact", s.contact, s.model, found);
   for (std::size_t i = 0; i < s.contact.pair.size(); ++i)
     judge_contact(item("contact.pair", i), s.contact.pair[i], s.model, found);
@@ -117,12 +139,6 @@ void judge_mechanism(const std::string& path, const Lattice& l, Findings& found)
   }
 }
 
-void judge_drives(const std::string& path, const Lattice& l, Findings& found) {
-  for (std::size_t k = 0; k < l.drive.size(); ++k)
-    if (l.drive[k].ramp > 0 && l.drive[k].velocity == Vec2{})
-      found.warning(path + '.' + item("drive", k) + ".ramp", "has no effect: the velocity is 0");
-}
-
 void judge_nodes(const std::string& path, const Lattice& l, Findings& found) {
   for (std::size_t k = 0; k < l.node.size(); ++k) {
     const NodeSetting& n = l.node[k];
@@ -132,8 +148,13 @@ void judge_nodes(const std::string& path, const Lattice& l, Findings& found) {
 }
 
 void judge_links(const std::string& path, const Lattice& l, Findings& found) {
-  if (l.link.empty()) return;
   const std::vector<LatticeLink> links = links_of(l);
+  const std::vector<Held> nodes = held_nodes(l);
+  const auto moves = [](const Held& node) { return !node.fixed(); };
+  const auto stiff = [](const LatticeLink& link) { return link.stiffness > 0; };
+  if (nodes.size() > 1 && std::any_of(nodes.begin(), nodes.end(), moves) &&
+      std::none_of(links.begin(), links.end(), stiff))
+    found.warning(path, "no link of it has a stiffness: its nodes do not hold each other");
   for (std::size_t k = 0; k < l.link.size(); ++k) {
     const auto chosen = [&](const LatticeLink& link) { return chooses(l.link[k], l, link); };
     const LinkSetting& s = l.link[k];
@@ -162,7 +183,8 @@ void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Fi
   if (!strand) judge_mechanism(path, l, found);
   judge_nodes(path, l, found);
   judge_links(path, l, found);
-  judge_drives(path, l, found);
+  for (std::size_t k = 0; k < l.drive.size(); ++k)
+    judge_ramp(path + '.' + item("drive", k) + ".ramp", l.drive[k].ramp, l.drive[k].velocity, s, found);
   for (const auto& [kind, k] :
        {std::pair{".structural", &l.structural}, {".shear", &l.shear}, {".bending", &l.bending}})
     if (k->stiffness == 0 && k->strength < infinity)

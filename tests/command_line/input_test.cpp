@@ -52,6 +52,12 @@ TEST_F(Input, OptionsThatSetOneKeyTwiceAreRefusedNotDropped) {
   expect_refusal(run + " --set time.step=1e-4 --dt 2e-4", "--dt: --set time.step sets it too; give one of them");
   expect_refusal(run + " --set time.step=1e-4 --set time.step=2e-4", "--set time.step: given twice; give one of them");
   expect_refusal(run + " --frames 3 --set output.frames=[0.1]", "--frames: --set output.frames sets it too");
+  const std::string plate = run + " --set plate[0].velocity=[0.1,0] --set ";
+  expect_refusal(plate + "plate[00].velocity=[0.2,0]", "--set plate[00].velocity: --set plate[0].velocity sets it too");
+  expect_refusal(plate + "plate[0].velocity.=[0.2,0]", "--set plate[0].velocity.: --set plate[0].velocity sets it too");
+  expect_refusal(plate + "plate[0].velocity.x=0.2", "--set plate[0].velocity.x: --set plate[0].velocity sets it too");
+  expect_refusal(run + " --set plate[0].velocity.x=0.2 --set plate[0].velocity=[0.1,0]",
+                 "--set plate[0].velocity: --set plate[0].velocity.x sets it too");
 }
 
 TEST_F(Input, AnEmptyDirectoryIsRefusedNotTheDefault) {

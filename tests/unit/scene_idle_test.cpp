@@ -55,6 +55,50 @@ TEST(SceneIdle, ALinkThatALaterOneSaysAgainIsSaid) {
   EXPECT_EQ(with({{.rows = {1}, .stiffness = 2}, {.rows = {1}, .stiffness_factor = 3}}), Lines{});
 }
 
+TEST(SceneIdle, NodesThatNoLinkHoldsAreSaid) {
+  const Lines said{"lattice[0]: no link of it has a stiffness: its nodes do not hold each other"};
+  EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].structural = s.lattice[0].shear = {}; }), said);
+  EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].structural = s.lattice[0].shear = {.damping = 1}; }), said);
+  EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].columns = 1, s.lattice[0].structural = s.lattice[0].shear = {}; }),
+            said);
+}
+
+TEST(SceneIdle, FrictionThatNothingCarriesIsSaid) {
+  const auto with = [](double stiffness, std::optional<double> damping) {
+    return warnings([&](Scene& s) {
+      s.model.law = ForceLaw::linear;
+      s.contact.friction = 0.5;
+      s.contact.normal_stiffness = 1e4;
+      s.contact.tangential_stiffness = stiffness;
+      s.contact.tangential_damping = damping;
+    });
+  };
+  EXPECT_EQ(with(0, {}),
+            Lines{"contact.friction: has no effect: tangential_stiffness is 0, and the tangent is not damped"});
+  EXPECT_EQ(with(1e4, {}), Lines{});
+  EXPECT_EQ(with(0, 2), Lines{});
+}
+
+TEST(SceneIdle, ARampLongerThanTheRunIsSaid) {
+  EXPECT_EQ(warnings([](Scene& s) {
+              s.plate[0].velocity = {0.1, 0}, s.plate[0].ramp = 1.5 * s.time.end;
+            }),
+            Lines{"plate[0].ramp: is longer than the run: the velocity is never reached"});
+  EXPECT_EQ(warnings([](Scene& s) { s.plate[0].velocity = {0.1, 0}, s.plate[0].ramp = s.time.end; }), Lines{});
+  EXPECT_EQ(warnings([](Scene& s) {
+              s.lattice[0].drive = {{.rows = {2}, .velocity = {0.1, 0}, .ramp = 9e9}};
+            }),
+            Lines{"lattice[0].drive[0].ramp: is longer than the run: the velocity is never reached"});
+}
+
+// sqrt(2 g R) with R = 0.1 m.
+TEST(SceneIdle, ASpeedOfSettlingThatFallingDiscsKeepToIsSaid) {
+  const auto with = [](double speed) { return warnings([&](Scene& s) { s.settle = Settle{.speed = speed}; }); };
+  EXPECT_EQ(with(1.4), Lines{});
+  EXPECT_EQ(with(1.41), Lines{"settle.speed: a disc that falls by its radius is no faster than 1.4 m/s: what counts as "
+                              "settled may still fall"});
+}
+
 TEST(SceneIdle, WhatCannotHappenNeedsNotBeAllowed) {
   EXPECT_EQ(warnings([](Scene& s) {
               s.output.energy = false, s.disc = {}, s.plate = {};
@@ -89,7 +133,7 @@ TEST(SceneGaps, DiscsThatPassBetweenThePointsOfABorderAreSaidWithTheNumberThatHo
 TEST(SceneGaps, OneNodeHasNoBorder) {
   EXPECT_EQ(warnings([](Scene& s) {
               s.disc[0].radius = 1e-3, s.lattice[0].rows = s.lattice[0].columns = 1, s.lattice[0].fixed_rows = {};
-              s.lattice[0].auxiliary_points = 2;
+              s.lattice[0].auxiliary_points = 2, s.lattice[0].structural = s.lattice[0].shear = {};
             }),
             Lines{});
 }

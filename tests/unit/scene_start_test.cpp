@@ -207,13 +207,15 @@ TEST(SceneEffects, AreMissedByWordWhatIsGivenForNothing) {
             Lines{"model.disc_depth: has no effect: the masses are those of spheres"});
   EXPECT_EQ(warnings([](Scene& s) { s.search.threads = 2; }),
             Lines{"search.threads: has no effect: it is for beds of more than 4096 discs"});
-  EXPECT_EQ(
-      warnings([](Scene& s) { s.lattice[0].rows = 1, s.lattice[0].columns = 9, s.lattice[0].bending.stiffness = 1; }),
-      Lines{"lattice[0].bending: a strand of one row has no stiffness across itself: its bending links lie along "
-            "it"});
+  EXPECT_EQ(warnings([](Scene& s) {
+              s.lattice[0].rows = 1, s.lattice[0].columns = 9, s.lattice[0].shear = {},
+              s.lattice[0].bending.stiffness = 1;
+            }),
+            Lines{"lattice[0].bending: a strand of one row has no stiffness across itself: its bending links lie along "
+                  "it"});
   EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].rows = 2, s.lattice[0].bending.stiffness = 1; }),
             Lines{"lattice[0].bending: makes no links: there are fewer than 3 rows and fewer than 3 columns"});
-  EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].structural.stiffness = 1; }),
+  EXPECT_EQ(warnings([](Scene& s) { s.lattice[0].shear = {}; }),
             Lines{"lattice[0]: 2 of its motions meet no stiffness: it folds up freely"});
 }
 

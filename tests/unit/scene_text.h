@@ -68,6 +68,7 @@ inline Scene sound_scene() {
   s.wall = {Wall{.name = "floor", .material = "hard"}};
   s.plate = {Plate{.name = "tool", .left_edge = 0.5, .lower_edge = 1, .material = "hard"}};
   s.lattice = {Lattice{.name = "stem", .rows = 3, .columns = 2, .material = "soft", .fixed_rows = {0}}};
+  s.lattice[0].structural = s.lattice[0].shear = {.stiffness = 1};
   return s;
 }
 
