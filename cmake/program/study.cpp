@@ -57,7 +57,11 @@ std::vector<const Study*> studies_asked_for(const StudyOptions& options) {
 std::string date(const std::string& when) { return when.substr(0, 10); }
 
 std::string status_of(const Study& study, const std::filesystem::path& directory) {
-  const Age age = age_of(Numbers::read(directory / (study.name + ".json")), study.sources());
+  const std::filesystem::path file = directory / (study.name + ".json");
+  const Numbers numbers = Numbers::read(file);
+  if (numbers.study() != study.name) throw FileError(file.string() + " has the numbers of " + numbers.study());
+  const Age age = age_of(numbers, study.sources());
+  if (age.results == 0) throw FileError(file.string() + " has no numbers");
   char counts[64];
   std::snprintf(counts, sizeof counts, "%8zu %6zu %12s %12s  ", age.results, age.old, date(age.first).c_str(),
                 date(age.last).c_str());
@@ -190,11 +194,18 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
   };
   auto* study = add_study_options(app.add_subcommand("study", "run a study; without a name: list the studies"));
   study->add_option("name", studied.name, "name of the study")->type_name("");
-  study->add_flag("--anew", studied.anew, "make all numbers, those too that are kept and not old");
-  study->add_flag("--status", studied.status, "how old the numbers in --out are, and what changed since; runs nothing");
-  study->add_flag("--words", studied.words,
-                  "what the page says of the numbers in --out, without figures; runs nothing");
-  study->add_flag("--check", studied.check, "make a sample of the cheap numbers in --out again and compare");
+  auto* anew = study->add_flag("--anew", studied.anew, "make all numbers, those too that are kept and not old");
+  auto* status = study->add_flag("--status", studied.status,
+                                 "how old the numbers in --out are, and what changed since; runs nothing");
+  auto* words = study->add_flag("--words", studied.words,
+                                "what the page says of the numbers in --out, without figures; runs nothing");
+  auto* check =
+      study->add_flag("--check", studied.check, "make a sample of the cheap numbers in --out again and compare");
+  status->excludes(check)->excludes(words);
+  words->excludes(check);
+  for (auto* what : {status, words, check}) {  // these make no numbers
+    for (auto* how : {anew, study->get_option("--quick"), study->get_option("--jobs")}) what->excludes(how);
+  }
   auto* ensemble = add_study_options(app.add_subcommand("ensemble", "the scenes over many packings"));
   ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
   auto* statements = add_study_options(app.add_subcommand("statements", "the paper's statements, each judged"));
