@@ -61,9 +61,9 @@ std::string sealed_text(nlohmann::ordered_json run_json) {
 }
 
 std::string spoilt_file(const fs::path& directory) {
+  if (!fs::is_regular_file(directory / "run.json")) return "run.json is missing";
   std::ifstream file(directory / "run.json", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) return "run.json is missing";
   const auto run_json = nlohmann::ordered_json::parse(text, nullptr, false);
   if (!run_json.is_object()) return "run.json is no whole JSON";
   const std::size_t end = text.rfind(before_seal);

@@ -31,6 +31,7 @@ std::string broken_seal(const ordered_json& kept) {
 }
 
 ordered_json read_sealed(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) throw FileError(file.string() + ": is a directory");
   std::ifstream stream(file);
   if (!stream) throw FileError("cannot read " + file.string());
   ordered_json kept = ordered_json::parse(stream, nullptr, false);
