@@ -99,10 +99,12 @@ Finding judge_exact(Finding f, const Json& seen) {
   return said(f, CaseVerdict::another_law, few(f.values.back()) + " in place of " + few(f.expected));
 }
 
-// How far the values may still be from where they go if the last change is one of order 1 or higher: an error C h
-// changes by C h (1 - 1/r) to the next step, with r at least 1.5. Of resolutions that are close to each other the two
-// that differ most count, since a change may be small by chance. Earlier changes say nothing: coarse values may be wild.
-double left_to_go(const std::vector<int>& steps, const std::vector<double>& values) {
+// How far the values may still be from where they go if the last change is one of this order: an error C h^p changes by
+// C h^p (r^p - 1) from the resolution before, with steps r times as long, and by little more or less with the phase of
+// events. Of resolutions that are close to each other the two that differ most count, since a change may be small by
+// chance. Earlier changes say nothing: coarse values may be wild.
+double left_to_go(const std::vector<int>& steps, const std::vector<double>& values, double order) {
+  constexpr double phase = 1.8;
   const auto begin_of_group = [&](std::size_t end) {
     std::size_t begin = end - 1;
     while (begin > 0 && steps[end - 1] < close * steps[begin - 1]) --begin;
@@ -111,8 +113,10 @@ double left_to_go(const std::vector<int>& steps, const std::vector<double>& valu
   const std::size_t last = begin_of_group(values.size());
   double most = 0;
   for (std::size_t i = last > 0 ? begin_of_group(last) : 0; i < last; ++i) {
-    for (std::size_t k = last; k < values.size(); ++k)
-      most = std::max(most, 3 * std::fabs(values[k] - values[i]) * steps[i] / steps[k]);
+    for (std::size_t k = last; k < values.size(); ++k) {
+      const double growth = std::pow(static_cast<double>(steps[k]) / steps[i], order) - 1;
+      most = std::max(most, phase * std::fabs(values[k] - values[i]) / growth);
+    }
   }
   return most;
 }
@@ -129,9 +133,11 @@ Finding judge_converging(Finding f, const Json& seen, const std::vector<int>& st
   const double predicted = std::min(claimed, seen["limit"].get<double>());
   const std::string orders =
       "error " + few(f.error) + ", order " + few(f.order) + " (" + few(predicted) + " predicted)";
-  const bool arrives = f.error * scale <= left_to_go(steps, f.values) + floor * scale;
-  if (arrives && f.order >= predicted - slack) return said(f, CaseVerdict::right, orders);
-  if (arrives && f.order >= least_order) return said(f, CaseVerdict::lower_order, orders);
+  const auto arrives = [&](double order) {
+    return f.order >= order && f.error * scale <= left_to_go(steps, f.values, std::min(order, 1.0)) + floor * scale;
+  };
+  if (arrives(predicted - slack)) return said(f, CaseVerdict::right, orders);
+  if (arrives(least_order)) return said(f, CaseVerdict::lower_order, orders);
   const std::size_t n = f.values.size();
   const double last = std::fabs(f.values[n - 1] - f.values[n - 2]), first = std::fabs(f.values[1] - f.values[0]);
   const bool settles = last < 0.7 * first || last <= floor * scale || last < 0.1 * f.error * scale;
