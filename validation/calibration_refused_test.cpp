@@ -7,6 +7,7 @@
 
 #include "scene/read.h"
 #include "system/ode.h"
+#include "tests/bent_stem.h"
 #include "tests/files.h"
 #include "validation/calibration/calibration.h"
 #include "validation/calibration/says.h"
@@ -16,28 +17,11 @@ namespace furrow::validation {
 namespace {
 
 // A plate bends a stem of four nodes. 10 mm.
-constexpr const char* twig = R"(title = "a plate bends a twig"
+const std::string twig = R"(title = "a plate bends a twig"
 time = { end = 0.1, step = 1e-4 }
 output = { interval = 2e-3 }
 material = [{ name = "wood", young = 2e5, poisson = 0.3 }]
-[[lattice]]
-origin = [0.0, 0.0]
-rows = 2
-columns = 2
-spacing = 0.01
-node_mass = 0.02
-material = "wood"
-fixed_rows = [0]
-structural = { stiffness = 2e3, damping = 4.0 }
-shear = { stiffness = 1e3, damping = 4.0 }
-[[plate]]
-left_edge = -0.012
-lower_edge = 0.002
-width = 0.01
-height = 0.02
-velocity = [0.1, 0.0]
-material = "wood"
-)";
+)" + test::bent_stem(2, "0.002", "wood");
 
 const std::string stiffness = "lattice[0].structural.stiffness";
 

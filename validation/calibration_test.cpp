@@ -10,6 +10,7 @@
 #include <set>
 
 #include "scene/read.h"
+#include "tests/bent_stem.h"
 #include "tests/files.h"
 #include "validation/studies/observed_run.h"
 
@@ -21,29 +22,12 @@ using test::OwnDirectory;
 using test::text_of;
 
 // A plate bends a small stem, which does not tear. 24 mm, 0.02 CPU s.
-constexpr const char* stem = R"(title = "a plate bends a stem"
+const std::string stem = R"(title = "a plate bends a stem"
 time = { end = 0.24, step = 1e-4 }
 contact = { damping_factor = 0.5, friction = 0 }
 output = { interval = 2e-3 }
 material = [{ name = "wood", young = 2e5, poisson = 0.3 }, { name = "tool", young = 2e5, poisson = 0.3 }]
-[[lattice]]
-origin = [0.0, 0.0]
-rows = 4
-columns = 2
-spacing = 0.01
-node_mass = 0.02
-material = "wood"
-fixed_rows = [0]
-structural = { stiffness = 2e3, damping = 4.0 }
-shear = { stiffness = 1e3, damping = 4.0 }
-[[plate]]
-left_edge = -0.012
-lower_edge = 0.022
-width = 0.01
-height = 0.02
-velocity = [0.1, 0.0]
-material = "tool"
-)";
+)" + test::bent_stem(4, "0.022", "tool");
 
 void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 

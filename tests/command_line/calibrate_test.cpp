@@ -1,30 +1,14 @@
 // `furrow calibrate` from outside: what it leaves, and what it says of a wrong call.
 #include "program.h"
+#include "tests/bent_stem.h"
 
 namespace {
 
-constexpr const char* stem = R"(title = "Stem"
+const std::string stem = R"(title = "Stem"
 time = { end = 0.1, step = 1e-4 }
 contact = { damping_factor = 0.5 }
 material = [{ name = "wood", young = 2e5, poisson = 0.3 }]
-[[lattice]]
-origin = [0.0, 0.0]
-rows = 3
-columns = 2
-spacing = 0.01
-node_mass = 0.02
-material = "wood"
-fixed_rows = [0]
-structural = { stiffness = 2e3, damping = 4.0 }
-shear = { stiffness = 1e3, damping = 4.0 }
-[[plate]]
-left_edge = -0.012
-lower_edge = 0.012
-width = 0.01
-height = 0.02
-velocity = [0.1, 0.0]
-material = "wood"
-)";
+)" + furrow::test::bent_stem(3, "0.012", "wood");
 
 class Calibrate : public furrow::test::Program {
  protected:
