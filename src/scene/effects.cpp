@@ -194,7 +194,7 @@ void judge_lattice(const std::string& path, const Lattice& l, const Scene& s, Fi
 }  // namespace
 
 void judge_effects(const Scene& scene, Findings& found) {
-  if (found.any_error()) return;
+  if (!found.sound()) return;
   judge_keys(scene, found);
   judge_materials(scene, found);
   for (std::size_t i = 0; i < scene.lattice.size(); ++i)

@@ -66,6 +66,14 @@ class Findings {
   bool any_error() const {
     return std::any_of(list_.begin(), list_.end(), [](const Finding& f) { return !f.warning; });
   }
+  // Every key could be read and nothing is wrong so far. A key that could not be read is no finding: its reader has said it.
+  bool sound() const { return all_known() && !any_error(); }
+  // The same of this path and all below it.
+  bool sound(const std::string& path) const {
+    return known(path) && std::none_of(list_.begin(), list_.end(), [&](const Finding& f) {
+             return !f.warning && (f.path == path || f.path.starts_with(path + '.') || f.path.starts_with(path + '['));
+           });
+  }
   const std::vector<Finding>& list() const { return list_; }
 
  private:

@@ -71,7 +71,7 @@ std::string way_through(const Lattice& l, double radius) {
 }
 
 void judge_gaps(const Scene& scene, Findings& found) {
-  if (found.any_error()) return;
+  if (!found.sound()) return;
   const double radius = smallest_disc(scene);
   for (std::size_t k = 0; k < scene.lattice.size(); ++k) {
     const Lattice& l = scene.lattice[k];

@@ -95,7 +95,7 @@ bool may_tear(const Lattice& l) {
 }
 
 void judge_idle(const Scene& scene, Findings& found) {
-  if (!found.any_error()) IdleJudge(scene, found).judge();
+  if (found.sound()) IdleJudge(scene, found).judge();
 }
 
 }  // namespace furrow

@@ -208,7 +208,7 @@ class NumberJudge {
 
   // Links that are not as their kinds say.
   void judge_links(const Lattice& l) {
-    if (!l.stem && l.link.empty()) return;
+    if ((!l.stem && l.link.empty()) || !found_.sound(at(""))) return;  // what is wrong may choose no links
     for (const LatticeLink& link : links_of(l)) {
       const double per_mass = link.stiffness / l.node_mass, energy = link.stiffness * l.spacing * l.spacing;
       const bool good = link.stiffness == 0 || (sound(per_mass) && sound(energy));
