@@ -96,12 +96,13 @@ void Kernel::prefetch(const State& y, int first, int last) const {
   constexpr int ahead = 512, a_line = 8;  // discs
   const std::vector<int>& a = search_.candidates[disc_disc].a;
   const int end = std::min(parts_->disc.count(), (a[last - 1] + ahead) & -a_line);
+  const bool sums = !disc_load_.empty();  // observers ask for contacts of a kernel that has summed no forces yet
   for (int i = (a[first] + ahead) & -a_line; i < end; i += a_line) {
     if (parts_->friction) __builtin_prefetch(y.data() + layout_.spin_of(i));
     __builtin_prefetch(parts_->disc.radius.data() + i);
     for (int half = 0; half < a_line; half += 2) {
       __builtin_prefetch(disc_row_.data() + i + half);
-      __builtin_prefetch(disc_load_.data() + i + half, 1);
+      if (sums) __builtin_prefetch(disc_load_.data() + i + half, 1);
     }
   }
 }

@@ -58,8 +58,8 @@ Scene large_bed(const std::vector<int>& order, int first_place = 0, int places =
     const double x = 0.0198 * static_cast<double>(place % 100);
     const auto row = place / 100;
     const double y = 0.0098 + 0.0198 * static_cast<double>(row);
-    scene.disc[order[place]] =
-        disc({x, y}, between(0.0095, 0.0105), {between(-1, 1), between(-1, 1)}, between(-50, 50));
+    const double radius = between(0.0095, 0.0105), spin = between(-50, 50), vx = between(-1, 1), vy = between(-1, 1);
+    scene.disc[order[place]] = disc({x, y}, radius, {vx, vy}, spin);
   }
   if (places < 0) return scene;
   std::vector<Disc> some;

@@ -160,7 +160,8 @@ inline Scene busy_scene(int discs = 40) {
     const double x = -0.13 + 0.022 * (k % 10);
     const int row = k / 10;
     const double y = 0.011 + 0.022 * row;
-    scene.disc.push_back(disc({x, y}, between(0.006, 0.0105), {between(-1, 2), between(-1, 1)}, between(-50, 50)));
+    const double spin = between(-50, 50), vx = between(-1, 2), vy = between(-1, 1);  // in an order that is stated
+    scene.disc.push_back(disc({x, y}, between(0.006, 0.0105), {vx, vy}, spin));
   }
   return scene;
 }
