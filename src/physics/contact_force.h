@@ -10,11 +10,22 @@
 
 namespace furrow {
 
+// The elastic force and the stiffnesses.
+inline void stiffen_by_law(const ContactLaw& law, const Touch& c, TouchForce& f) {
+  switch (law.options.force) {
+    case ForceLaw::hertz_mindlin:
+    case ForceLaw::rescaled_mindlin:
+      return stiffen(law, c, f);
+    case ForceLaw::linear:
+      return stiffen_linear(law, c, f);
+  }
+}
+
 // rolling_smoothing: rad/s, w0.
 inline TouchForce contact_force(const ContactLaw& law, const Touch& c, double rolling_smoothing) {
   if (law.options.none()) return hertz_mindlin(law, c, rolling_smoothing);
   TouchForce f{};
-  law.options.force == ForceLaw::linear ? stiffen_linear(law, c, f) : stiffen(law, c, f);
+  stiffen_by_law(law, c, f);
   damp(law, c, f);
   f.tangential = tangential_force(c, f, coulomb_limit(law, f));
   if (law.rolling > 0)
@@ -25,15 +36,30 @@ inline TouchForce contact_force(const ContactLaw& law, const Touch& c, double ro
 
 // m/s: xi'.
 inline double spring_rate(const ContactLaw& law, const Touch& c, const TouchForce& f) {
-  return law.options.force == ForceLaw::rescaled_mindlin ? rescaled_rate(law, c, f) : c.slip;
+  switch (law.options.force) {
+    case ForceLaw::hertz_mindlin:
+    case ForceLaw::linear:
+      break;
+    case ForceLaw::rescaled_mindlin:
+      return rescaled_rate(law, c, f);
+  }
+  return c.slip;
 }
 
 inline bool rolls_on_spring(const ContactLaw& law) { return law.options.rolling_spring && law.rolling > 0; }
 
 inline TouchPowers contact_powers(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   TouchPowers p = touch_powers(c, f);
-  if (law.options.force == ForceLaw::linear) p.stiffening = 0;
-  if (law.options.force == ForceLaw::rescaled_mindlin) rescale(law, c, f, p);
+  switch (law.options.force) {
+    case ForceLaw::hertz_mindlin:
+      break;
+    case ForceLaw::rescaled_mindlin:
+      rescale(law, c, f, p);
+      break;
+    case ForceLaw::linear:
+      p.stiffening = 0;
+      break;
+  }
   if (rolls_on_spring(law)) store_rolling(law, c, f, p);
   return p;
 }
@@ -47,23 +73,33 @@ inline SpringEnergies spring_energies(const ContactLaw& law, const Touch& c, con
           rolls_on_spring(law) ? 0.5 * rolling_stiffness(law, c, f) * c.turn * c.turn : 0};
 }
 
-// J, in the normal spring, the tangential one and that of rolling.
-inline double stored_energy(const ContactLaw& law, const Touch& c, const TouchForce& f) {
-  const bool linear = law.options.force == ForceLaw::linear;
-  const double normal = linear ? 0.5 * f.elastic * c.overlap : elastic_energy(f.elastic, c.overlap);
-  const SpringEnergies springs = spring_energies(law, c, f);
-  return normal + springs.tangential + springs.rolling;
+// J, in the normal spring: the work that pressed it.
+inline double normal_energy(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  switch (law.options.force) {
+    case ForceLaw::hertz_mindlin:
+    case ForceLaw::rescaled_mindlin:
+      break;
+    case ForceLaw::linear:
+      return 0.5 * f.elastic * c.overlap;
+  }
+  return elastic_energy(f.elastic, c.overlap);
 }
 
-// What the springs of a contact still hold as it opens, and lose. Hertz's law leaves nothing, for at d = 0 nothing is
-// stiff, unless the rolling stiffness is given.
+// J, in the normal spring, the tangential one and that of rolling.
+inline double stored_energy(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  const SpringEnergies springs = spring_energies(law, c, f);
+  return normal_energy(law, c, f) + springs.tangential + springs.rolling;
+}
+
+// What the springs of a contact still hold as it opens, and lose: nothing where stiffnesses grow with the overlap, for at
+// d = 0 nothing is stiff, unless the rolling stiffness is given.
 inline SpringEnergies energy_at_opening(const ContactLaw& law, double reduced_radius, double spring, double turn) {
   Touch c{};
   c.reduced_radius = reduced_radius;
   c.spring = spring;
   c.turn = turn;
   TouchForce f{};
-  if (law.options.force == ForceLaw::linear) stiffen_linear(law, c, f);
+  if (has_constant_stiffness(law.options.force)) stiffen_by_law(law, c, f);
   return spring_energies(law, c, f);
 }
 

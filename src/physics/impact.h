@@ -8,7 +8,7 @@
 
 namespace furrow {
 
-inline bool is_linear(const ContactLaw& law) { return law.options.force == ForceLaw::linear; }
+inline bool is_linear(const ContactLaw& law) { return has_constant_stiffness(law.options.force); }
 
 // -: beta, of the linear oscillator that an impact is like.
 inline double damping_ratio_of_impact(const ContactLaw& law) {

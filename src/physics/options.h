@@ -22,6 +22,18 @@
 namespace furrow {
 
 enum class ForceLaw { hertz_mindlin, rescaled_mindlin, linear };
+// A switch over the laws names each of them, without a default: one more does not compile until all have been told.
+constexpr bool has_constant_stiffness(ForceLaw law) {
+  switch (law) {
+    case ForceLaw::hertz_mindlin:
+    case ForceLaw::rescaled_mindlin:
+      return false;
+    case ForceLaw::linear:
+      return true;
+  }
+  return false;
+}
+
 enum class AfterSlip { elastic, less_viscous };
 enum class Rolling { none, smoothed, spring };
 

@@ -54,7 +54,7 @@ inline double turn_after_step(const ContactLaw& law, const Touch& c, const Touch
 inline void store_rolling(const ContactLaw& law, const Touch& c, const TouchForce& f, TouchPowers& p) {
   const double kr = rolling_stiffness(law, c, f);
   p.rolling -= kr * c.turn * c.spin;
-  if (law.options.rolling_stiffness > 0 || law.options.force == ForceLaw::linear || !(c.overlap > 0)) return;
+  if (law.options.rolling_stiffness > 0 || has_constant_stiffness(law.options.force) || !(c.overlap > 0)) return;
   p.stiffening += 0.25 * c.turn * c.turn * kr * c.approach / c.overlap;
 }
 
