@@ -202,23 +202,6 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
   return run;
 }
 
-std::string broken_off(const RunRecord& run) {
-  const Scene& scene = run.scene;
-  const double last = scene.time.end - 1.5 * scene.output.interval - scene.time.step;  // s: a row is due after it
-  const auto ends_at = [](const std::string& file, double t) { return file + " ends at t = " + number(t) + " s"; };
-  if (!scene.plate.empty()) {
-    const double t = plate_speed(run) > 0 ? run.force.end() / plate_speed(run) : scene.time.end;
-    if (run.force.mm.empty() || t < last) return ends_at("plate_force.csv", t);
-  }
-  if (scene.output.energy) {
-    const double t = run.energy.rows() > 0 ? run.energy.numbers("t [s]").back() : 0;
-    if (t < last) return ends_at("energy.csv", t);
-  }
-  if (run.frames.size() == scene.output.frames.size()) return {};
-  return "frames.csv has " + std::to_string(run.frames.size()) + " of " + std::to_string(scene.output.frames.size()) +
-         " pictures";
-}
-
 Publication read_publication(std::string_view text) {
   try {
     const toml::table root = toml::parse(text);

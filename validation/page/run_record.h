@@ -75,9 +75,6 @@ double plate_speed(const RunRecord& run);  // of the first plate, mm/s
 // the file that is missing or malformed.
 RunRecord read_run(const std::string& name, const std::filesystem::path& directory);
 
-// Why the series of a run that finished are not whole, as those of a copy that was broken off; empty if they are.
-std::string broken_off(const RunRecord& run);
-
 // One thing that the paper reports; the heading of validation/statements.toml explains the fields.
 struct Statement {
   std::string id, scene, quantity, unit, relation, where, read, observable, ours, mark, label, words, expect;
