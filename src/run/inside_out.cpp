@@ -1,8 +1,9 @@
 // Cells of lattices that have turned inside out or folded over: their links do not feel it, they only know lengths.
+#include <string>
 #include <vector>
 
 #include "run/crossing.h"
-#include "scene/border.h"
+#include "scene/lattice_cell.h"
 
 namespace furrow {
 namespace {
@@ -26,21 +27,6 @@ struct Sides {
   }
 };
 
-struct Cell {
-  Vec2 a, b, c, d;  // its corners, which go round to the left
-};
-
-// m^2, twice the area of the triangle a, b, c: positive if they go round to the left.
-double turn(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
-bool convex(const Cell& q) {
-  return turn(q.a, q.b, q.c) >= 0 && turn(q.b, q.c, q.d) >= 0 && turn(q.c, q.d, q.a) >= 0 && turn(q.d, q.a, q.b) >= 0;
-}
-
-// One that is inside out goes round to the right; of one that is folded over two sides cross.
-bool inside_out(const Cell& q) { return turn(q.a, q.b, q.c) + turn(q.a, q.c, q.d) < 0; }
-bool folded(const Cell& q) { return segments_cross(q.a, q.b, q.c, q.d) || segments_cross(q.b, q.c, q.d, q.a); }
-
 }  // namespace
 
 CrossingBorders cells_inside_out(const System& system, double t, const State& y) {
@@ -55,12 +41,10 @@ CrossingBorders cells_inside_out(const System& system, double t, const State& y)
     while (above < node.count() && node.lattice[above] == node.lattice[n] && node.row[above] == node.row[n]) ++above;
     const int over = above + node.column[n];
     if (whole.right[n] == 0 || whole.up[n] == 0 || whole.up[n + 1] == 0 || whole.right[over] == 0) continue;
-    const Cell cell{at[n], at[n + 1], at[over + 1], at[over]};
-    if (convex(cell)) continue;
-    const bool out = inside_out(cell);
-    if ((!out && !folded(cell)) || ++found.pairs > 1) continue;
+    const std::string turned = turned_over({at[n], at[n + 1], at[over + 1], at[over]});
+    if (turned.empty() || ++found.pairs > 1) continue;
     found.where = "cell at row " + std::to_string(node.row[n]) + ", column " + std::to_string(node.column[n]) +
-                  " of lattice " + lattice_name(system, node.lattice[n]) + (out ? " is inside out" : " is folded over");
+                  " of lattice " + lattice_name(system, node.lattice[n]) + " " + turned;
   }
   return found;
 }

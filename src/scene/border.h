@@ -85,6 +85,16 @@ class StandingLattice {
     return false;
   }
 
+  // Whether its border crosses itself; of very long ones that is not asked.
+  bool crosses_itself() const {
+    constexpr std::size_t most = 3000;  // segments
+    if (segments() > most) return false;
+    for (std::size_t k = 0; k < segments(); ++k)
+      for (std::size_t j = 0; j < k; ++j)
+        if (segments_cross(border_[k], border_[(k + 1) % border_.size()], border_[j], border_[j + 1])) return true;
+    return false;
+  }
+
   std::size_t segments() const { return encloses() ? border_.size() : std::max<std::size_t>(1, border_.size() - 1); }
 
  private:

@@ -98,6 +98,7 @@ void judge_start(const Scene& scene, Findings& found);     // where the parts st
 void judge_effects(const Scene& scene, Findings& found);   // what is given and changes nothing
 void judge_idle(const Scene& scene, Findings& found);      // the same of keys for parts that the scene has not
 void judge_gaps(const Scene& scene, Findings& found);      // what passes between the points of a lattice's border
+void judge_cells(const Scene& scene, Findings& found);     // lattices that reach through themselves
 
 bool may_tear(const Lattice& l);  // a link of it has a strength, or is torn from the start
 

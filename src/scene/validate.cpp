@@ -226,6 +226,7 @@ std::vector<Finding> findings_of(const Scene& given, const Unread& unread) {
   judge_effects(scene, found);
   judge_idle(scene, found);
   judge_gaps(scene, found);
+  judge_cells(scene, found);
   return found.list();
 }
 

@@ -115,5 +115,31 @@ TEST(CrossingLattices, ThatAreApartOrWholeAreNot) {
   EXPECT_EQ(watched(scene, "verlet", 1e-3, 1).of(WatchKind::crossing_lattices).worst, 0);
 }
 
+// What a run would warn of at its start, `check` says before it.
+TEST(CrossingLattices, TheStartIsJudgedAsTheRunWouldJudgeIt) {
+  const auto warnings = [](int rows, int columns, const NodeSetting& moved) {
+    Scene scene = empty_scene();
+    Lattice l = lattice({0, 0}, rows, columns, 0.1);
+    l.structural = link_kind(10, 0);
+    l.node = {moved};
+    scene.lattice = {l};
+    std::vector<std::string> found = scene_warnings(scene);
+    std::erase_if(found, [](const std::string& w) { return w.find("folds up") != std::string::npos; });
+    const bool at_run = watched(scene, "verlet", 1e-6, 1e-6).of(WatchKind::crossing_lattices).worst > 0;
+    EXPECT_EQ(at_run, !found.empty()) << rows << " x " << columns;
+    return found;
+  };
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(warnings(3, 3, node_setting(2, 2, {-0.05, -0.05})), Lines{});
+  EXPECT_EQ(
+      warnings(3, 3, node_setting(2, 2, {-0.15, -0.15})),
+      Lines{"lattice[0]: its cell at row 1, column 1 is inside out: its links know lengths alone and hold it there"});
+  EXPECT_EQ(
+      warnings(2, 3, node_setting(1, 1, {0.15, 0})),
+      Lines{"lattice[0]: its cell at row 0, column 0 is folded over: its links know lengths alone and hold it there"});
+  EXPECT_EQ(warnings(1, 5, node_setting(0, 4, {-0.25, 0.1})), Lines{});
+  EXPECT_EQ(warnings(1, 5, node_setting(0, 0, {0.15, 0.02})), Lines{});
+}
+
 }  // namespace
 }  // namespace furrow
