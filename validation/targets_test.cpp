@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "scene/read.h"
 #include "validation/page/observables.h"
+#include "validation/studies/observed_run.h"
 
 namespace furrow::validation {
 namespace {
@@ -46,6 +48,42 @@ TEST(Observables, AreAllKnownByTheirNames) {
   run.force = {{0, 1, 2}, {1, 2, 1}, {0, 0, 0}, {1, 2, 1}};
   for (const std::string& name : observable_names()) EXPECT_NO_THROW(measure(run, name)) << name;
   EXPECT_THROW(measure(run, "none"), std::invalid_argument);
+}
+
+// A plate that starts from rest in 0.04 s and then goes on with 0.5 m/s: v t^2/(2 r) within the ramp, v (t - r/2) after it.
+TEST(ObservedRun, SaysHowFarThePlateHasGoneThroughItsRamp) {
+  const Scene scene = parse_scene(R"(title = "a plate starts beside a disc"
+[time]
+end = 0.1
+step = 1e-3
+[[material]]
+name = "soft"
+young = 2e5
+poisson = 0.3
+[[disc]]
+position = [-1.0, 1.0]
+radius = 0.1
+material = "soft"
+[[plate]]
+left_edge = 0.0
+lower_edge = 0.0
+width = 0.01
+height = 0.1
+velocity = [0.3, 0.4]
+ramp = 0.04
+material = "soft"
+[output]
+interval = 0.02
+frames = [0.02, 0.1]
+)",
+                                  "ramp");
+  const RunRecord run = observed_run(prepare(scene), scene.time);
+  const std::vector<double> mm{0, 2.5, 10, 20, 30, 40};
+  ASSERT_EQ(run.force.mm.size(), mm.size());
+  for (std::size_t k = 0; k < mm.size(); ++k) EXPECT_NEAR(run.force.mm[k], mm[k], 1e-9) << k;
+  ASSERT_EQ(run.frames.size(), 2u);
+  EXPECT_NEAR(run.frames[0].mm, 2.5, 1e-9);
+  EXPECT_NEAR(run.frames[1].mm, 40, 1e-9);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ bool covers(const RunRecord& run, double from, double to) {
   const std::vector<double>& mm = run.force.mm;
   if (mm.empty() || from < mm.front()) return false;
   const double interval = mm.size() > 1 ? mm.back() - mm[mm.size() - 2] : 0;
-  return to <= mm.back() + interval && to <= plate_speed(run) * run.scene.time.end * (1 + 1e-9);
+  return to <= mm.back() + interval && to <= plate_displacement(run, run.scene.time.end) * (1 + 1e-9);
 }
 
 // Linear between two samples that cover it.

@@ -8,7 +8,7 @@ namespace {
 // Displacements of the plate where the stills are. mm
 std::vector<double> places_of(const RunRecord& run, const std::vector<double>& stills) {
   std::vector<double> places;
-  for (const double t : stills) places.push_back(plate_speed(run) * t);
+  for (const double t : stills) places.push_back(plate_displacement(run, t));
   return places;
 }
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "output/files.h"
+#include "physics/ramp.h"
 #include "scene/labels.h"
 #include "scene/read.h"
 
@@ -176,6 +177,10 @@ bool RunRecord::finished() const {
 double plate_speed(const RunRecord& run) {
   if (run.scene.plate.empty()) return 0;
   return 1e3 * std::hypot(run.scene.plate[0].velocity.x, run.scene.plate[0].velocity.y);
+}
+
+double plate_displacement(const RunRecord& run, double t) {
+  return run.scene.plate.empty() ? 0 : plate_speed(run) * ramped(t, run.scene.plate[0].ramp).time;
 }
 
 RunRecord read_run(const std::string& name, const std::filesystem::path& directory) {

@@ -69,7 +69,8 @@ struct RunRecord {
   bool finished() const;
 };
 
-double plate_speed(const RunRecord& run);  // of the first plate, mm/s
+double plate_speed(const RunRecord& run);                   // of the first plate, after its ramp, mm/s
+double plate_displacement(const RunRecord& run, double t);  // of the first plate since t = 0, its ramp included, mm
 
 // Of a run that ended while its scene was prepared there are only facts and scene. Throws std::runtime_error that names
 // the file that is missing or malformed.

@@ -17,7 +17,7 @@
 namespace furrow::validation {
 namespace {
 
-double travel(const RunRecord& run) { return plate_speed(run) * run.scene.time.end; }  // mm
+double travel(const RunRecord& run) { return plate_displacement(run, run.scene.time.end); }  // mm
 
 std::string ending(const RunRecord& run) {
   const std::string end = with_unit(run.scene.time.end, "s");
@@ -131,7 +131,7 @@ class SceneSection {
       return with_unit(measure(run_, "largest_force").value, "N") + ", at " +
              with_unit(measure(run_, "largest_force_at").value, "mm");
     const LargestForce& f = run_.largest_force.front();
-    return with_unit(f.f, "N") + " of all steps, at " + with_unit(plate_speed(run_) * f.time, "mm");
+    return with_unit(f.f, "N") + " of all steps, at " + with_unit(plate_displacement(run_, f.time), "mm");
   }
 
   std::string energy() const {

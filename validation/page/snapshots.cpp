@@ -32,8 +32,8 @@ class Snapshots {
     if (!has_weight()) caption += " Nothing in this scene has weight.";
     for (std::size_t k = 0; k < run_.frames.size(); ++k) panels += panel(k, v, stress, force);
     for (std::size_t k = run_.frames.size(); k < run_.scene.output.frames.size(); ++k) {
-      panels +=
-          element("p", with_unit(plate_speed(run_) * run_.scene.output.frames[k], "mm") + ": " + missing, "absent");
+      panels += element("p", with_unit(plate_displacement(run_, run_.scene.output.frames[k]), "mm") + ": " + missing,
+                        "absent");
     }
     return framed(page_, {page_.id("figure " + run_.name + " snapshots"),
                           element("div", bars, "bars") + element("div", panels, v.wide() ? "panels" : "panels tall"),

@@ -44,8 +44,7 @@ RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch) {
   RunRecord record;
   record.scene = prepared.scene;
   record.lattices = system.parts();
-  const PlatePart& plate = system.parts().plate.at(0);
-  const double speed = 1e3 * std::hypot(plate.vx, plate.vy);  // mm/s
+  const auto mm = [&](double t) { return plate_displacement(record, t); };
   const auto method = make_method(time.method, {time.relative_tolerance, time.absolute_tolerance, time.step});
   const bool controlled = method->info().controlled;
   long rows = 0;
@@ -65,24 +64,24 @@ RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch) {
   FirstTouch touch;
   const RunEnd end = run(system, *method, prepared.y, plan, [&](double t, const State& y, const JumpReport& jump) {
     touch.see(system, t, y);
-    for (const Tear& tear : jump.torn) record.torn.push_back({speed * tear.time, tear.link});
+    for (const Tear& tear : jump.torn) record.torn.push_back({mm(tear.time), tear.link});
     const std::vector<double>& pictures = prepared.scene.output.frames;
     while (record.frames.size() < pictures.size() && t >= pictures[record.frames.size()] - 0.5 * time.step) {
       record.frames.push_back(frame_of(system, t, y));
-      record.frames.back().mm = speed * t;
+      record.frames.back().mm = mm(t);
     }
     if (!due(t)) return true;
     const Observation seen = observe(system, t, y);
     if (validity && prepared.scene.output.energy) validity->book(t, seen);
     const Force force = seen.plate.at(0);
-    record.force.mm.push_back(speed * t);
+    record.force.mm.push_back(mm(t));
     record.force.fx.push_back(0 - force.x);
     record.force.fy.push_back(force.y);
     record.force.f.push_back(std::hypot(force.x, force.y));
     while (due(t)) ++rows;
     return true;
   });
-  record.met = std::isfinite(touch.time()) ? speed * touch.time() : std::numeric_limits<double>::quiet_NaN();
+  record.met = std::isfinite(touch.time()) ? mm(touch.time()) : std::numeric_limits<double>::quiet_NaN();
   record.facts = {{"ended", {end.ending == Ending::finished ? "finished" : "diverged"}},
                   {"reason", {end.reason}},
                   {"rhs_evaluations", {std::to_string(method->evaluations())}},
