@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene/read.h"
 #include "watched_run.h"
 
 namespace furrow {
@@ -124,7 +125,7 @@ TEST(CrossingLattices, TheStartIsJudgedAsTheRunWouldJudgeIt) {
     l.node = {moved};
     scene.lattice = {l};
     std::vector<std::string> found = scene_warnings(scene);
-    std::erase_if(found, [](const std::string& w) { return w.find("folds up") != std::string::npos; });
+    std::erase_if(found, [](const std::string& w) { return !w.starts_with("lattice[0]: its "); });
     const bool at_run = watched(scene, "verlet", 1e-6, 1e-6).of(WatchKind::crossing_lattices).worst > 0;
     EXPECT_EQ(at_run, !found.empty()) << rows << " x " << columns;
     return found;
@@ -136,7 +137,7 @@ TEST(CrossingLattices, TheStartIsJudgedAsTheRunWouldJudgeIt) {
       Lines{"lattice[0]: its cell at row 1, column 1 is inside out: its links know lengths alone and hold it there"});
   EXPECT_EQ(
       warnings(2, 3, node_setting(1, 1, {0.15, 0})),
-      Lines{"lattice[0]: its cell at row 0, column 0 is folded over: its links know lengths alone and hold it there"});
+      Lines{"lattice[0]: its cell at row 0, column 1 is folded over: its links know lengths alone and hold it there"});
   EXPECT_EQ(warnings(1, 5, node_setting(0, 4, {-0.25, 0.1})), Lines{});
   EXPECT_EQ(warnings(1, 5, node_setting(0, 0, {0.15, 0.02})), Lines{});
 }
