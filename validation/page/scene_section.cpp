@@ -161,7 +161,11 @@ class SceneSection {
           " The method made that energy out of nothing, since its step is too long: the stack rises above the dashed "
           "line.";
     PlotInput input;
-    input.set("end", travel(run_)).set("speed", plate_speed(run_)).set("start", stored(0)).set("energy", t.file());
+    input.set("end", travel(run_))
+        .set("speed", plate_speed(run_))
+        .set("ramp", run_.scene.plate[0].ramp)
+        .set("start", stored(0))
+        .set("energy", t.file());
     input.set("rows_apart", std::max(1.0, std::floor(static_cast<double>(t.rows()) / 400)));
     const std::string said = "Energy against displacement: of " + bare(with_unit(work, "J")) + " of work " +
                              bare(with_unit(residual, "J")) + " is not accounted for";
