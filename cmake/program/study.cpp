@@ -128,7 +128,7 @@ int words_command(const StudyOptions& options) {
 
 // The draw is another one with each commit.
 int check_command(const StudyOptions& options) {
-  constexpr double most_cpu = 10;  // s a study
+  constexpr double most_cpu = 4;  // s a study
   int status = good;
   for (const Study* study : studies_asked_for(options)) {
     const Checked checked =

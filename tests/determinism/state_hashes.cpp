@@ -1,6 +1,8 @@
 // Prints one line "scene hash" for a short run of each scene of the paper and some others, settled and moved for a
-// while with everything on. Built with other compilers and flags, and run with the reference or on
-// threads, it must print the same lines.  Usage: state_hashes DIRECTORY_OF_SCENES [reference | threads]
+// while with everything on. Built with other compilers and flags, and run with the reference or on threads, it must
+// print the lines of hashes.txt; the reference, which looks at every pair, runs the shorter scenes alone.
+//
+// Usage: state_hashes DIRECTORY_OF_SCENES [reference | threads]
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -81,6 +83,7 @@ int main(int argc, char** argv) {
     if (reference) scene.time.solver = furrow::SolverKind::reference;
     if (std::string(name) == "scenario_1") scene.time.end = 0.6;  // until links have torn
     print(name, "pece", scene);
+    if (reference && !scene.packing.empty()) continue;
     Scene chosen = scene;  // steps that the method chooses, tears located
     chosen.time.step = 1e-3;
     chosen.time.locate = furrow::Locate::tears;
@@ -98,7 +101,7 @@ int main(int argc, char** argv) {
     scene.time.end = std::min(scene.time.end, 0.002);
     print(name, "sphere", scene);
   }
-  // Not by the reference, which would take minutes: see tests/property.
+  if (reference) return 0;
   Scene bed = wide(furrow::read_scene(directory / "scenario_2.toml"));
   if (setting == "threads") bed.search.threads = 3;
   print("wide bed", "pece", bed);

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 const std::string others =
     "[methods]\npages = [\"a\"]\nfiles = [\"src/\"]\n[costly]\ntests = [\"A.B\"]\n[silent]\n\"C.D\" = \"why\"\n";
-const std::string fault = "[[fault]]\nname = \"one\"\nsays = \"it\"\nfile = \"f\"\nold = \"a\"\nnew = \"\"\n";
+const std::string fault = "[[fault]]\nname = \"one\"\nsays = \"it\"\nfile = \"src/f.cpp\"\nold = \"a\"\nnew = \"\"\n";
+const std::string of_header = "[[fault]]\nname = \"one\"\nsays = \"it\"\nfile = \"src/f.h\"\nold = \"a\"\nnew = \"\"\n";
 const std::string constant =
     "[[constant]]\nname = \"two\"\nsays = \"it\"\nfile = \"f\"\nold = \"1\"\nnew = \"1 + CHANGE\"\n";
 
@@ -47,6 +48,7 @@ TEST(FaultFile, WhatIsMisspeltOrMissingIsAnError) {
        {std::pair{others + fault + "on_al = true\n", "fault 1: on_al is no key of a fault"},
         {others + fault + "on_all = 1\n", "fault 1: on_all must be true or false"},
         {others + fault + "quick = 1\n", "fault 1: quick must be a text"},
+        {others + of_header + "quick = \"page\"\n", "one is in no source of src"},
         {others + "[[fault]]\nname = \"one\"\n", "fault 1 has no says"},
         {others + "fault = 3\n", "silent.fault must be a text"},
         {"fault = 3\n" + others, "fault must be a list of tables"},

@@ -38,6 +38,8 @@ Fault fault_of(const toml::table& entry, const std::string& kind, const std::str
   for (const char* key : {"name", "says", "file", "old", "new"})
     if (!entry.contains(key)) wrong(which + " has no " + key);
   if (fault.name.empty() || fault.change.old_text.empty()) wrong(which + " has an empty name or an empty old");
+  if (!fault.quick.empty() && !(fault.change.file.starts_with("src/") && fault.change.file.ends_with(".cpp")))
+    wrong(fault.name + " is in no source of src, and the quick study compiles the file of a fault alone");
   if (fault.constant && fault.change.new_text.find("CHANGE") == std::string::npos)
     wrong(fault.name + " does not say where its CHANGE goes");
   return fault;

@@ -85,7 +85,12 @@ class Study {
     std::reverse(work_.begin(), work_.end());
     if (work_.empty()) return;
     const std::string name = rebuild ? "rebuilt_" : "";
-    Workshop first(places_, name + "0", std::max(1U, std::thread::hardware_concurrency()), rebuild);
+    std::set<std::string> only;
+    for (const std::size_t k : work_) {
+      if (options_.quick) only.insert(faults_.all[k].change.file);
+    }
+    Workshop first(places_, (options_.quick ? "quick_" : "") + name + "0",
+                   std::max(1U, std::thread::hardware_concurrency()), rebuild, std::move(only));
     if (!(options_.property ? sound_property(first) : sound(first, Turn::methods) && sound_property(first))) {
       bad_ += static_cast<int>(work_.size());
       work_.clear();
@@ -242,7 +247,7 @@ int main_of(int argc, char** argv) {
   if (faults.all.empty()) throw std::runtime_error("no fault to try");
   if (options.property) refuse_unknown(faults.all, earlier);
   for (Fault& fault : faults.all) fault.rebuild = fault.rebuild || options.rebuild;
-  // To build a second copy takes longer than to try a handful of faults in the first.
+  // A handful: a second copy would not pay.
   if (options.quick) options.jobs = 1;
   const std::size_t count = faults.all.size();
 

@@ -143,8 +143,13 @@ Page kernel_is_reference(const Places& places) {
   return page;
 }
 
-Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild)
-    : places_(places), home_(places.work / name), target_(rebuild ? "rebuilt_tests" : "faulty_tests"), jobs_(jobs) {
+Workshop::Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild,
+                   std::set<std::string> only)
+    : places_(places),
+      home_(places.work / name),
+      target_(rebuild ? "rebuilt_tests" : "faulty_tests"),
+      only_(std::move(only)),
+      jobs_(jobs) {
   fs::create_directories(home_ / "tree");
   fs::create_directories(places.verdicts());
   copy_tree(places.tree, home_ / "tree");
@@ -155,6 +160,9 @@ void Workshop::configure() {
   MeasuredCommand cmake{.words = {"cmake", "-S", places_.tree / "verification/fault_study", "-B", home_ / "build", "-G",
                                   "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DTREE=" + (home_ / "tree").string(),
                                   "-DSOURCE_DIR=" + places_.tree.string(), "-DBUILD=" + places_.sound_build.string()}};
+  std::string only;
+  for (const std::string& file : only_) only += (only.empty() ? "" : ";") + file;
+  cmake.words.push_back("-DONLY=" + only);
   if (can_start("ccache")) cmake.words.emplace_back("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache");
   if (!succeeds(cmake, log)) {
     throw std::runtime_error("the copy cannot be configured, see " + log.string());
@@ -163,6 +171,8 @@ void Workshop::configure() {
 }
 
 void Workshop::put(const Change& change) {
+  if (!only_.empty() && !change.file.empty() && only_.count(change.file) == 0)
+    throw std::runtime_error(change.file + " is not compiled here");
   if (!changed_.empty()) write(home_ / "tree" / changed_, text_of(places_.tree / changed_));
   changed_ = change.file;
   built_.clear();

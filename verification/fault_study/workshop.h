@@ -46,7 +46,8 @@ Page kernel_is_reference(const Places& places);
 // places.verdicts() under what they depend on: the source but for its comments, the page's object and the scenes.
 class Workshop {
  public:
-  Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild);
+  // `only`: files of src that are compiled, if not all: the rest is the sound build's. No change may be of another file.
+  Workshop(const Places& places, const std::string& name, unsigned jobs, bool rebuild, std::set<std::string> only = {});
 
   // Puts the change in place of the one before. Throws std::runtime_error if its text does not stand just once.
   void put(const Change& change);
@@ -64,6 +65,7 @@ class Workshop {
   Places places_;
   std::filesystem::path home_;
   std::string target_;
+  std::set<std::string> only_;
   std::string changed_;  // file
   std::string source_;   // what all verdicts on the change depend on
   bool configured_ = false;

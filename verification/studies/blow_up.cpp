@@ -11,22 +11,7 @@
 namespace furrow::verification {
 namespace {
 
-constexpr double most = 100;   // of omega h
 constexpr double fine = 1e-3;  // of the limit
-
-bool grows(const std::string& method, const Oscillation& o, double angle) {
-  System system(o.scene);
-  State y = system.initial_state();
-  const int steps = 4 * static_cast<int>(std::max(1000.0, 20 / angle));  // three periods a quarter
-  const double step = angle / o.omega;
-  const int v = o.axis + 2;  // [x, y, vx, vy]
-  Growth growth(steps, growth_seen);
-  const RunPlan plan{.start = 0, .end = (steps + 0.5) * step, .step = step, .stop = {}};
-  const RunEnd end = run(system, *make_method(method), y, plan, [&](double, const State& now, const JumpReport&) {
-    return growth.add(std::hypot(now[o.axis] - o.rest, now[v] / o.omega));  // without damping it does not swing
-  });
-  return end.ending == Ending::diverged || growth.seen();
-}
 
 Scene empty_scene() {
   Scene scene;
@@ -75,6 +60,20 @@ Oscillation contact_oscillation(double zeta) {
   return o;
 }
 
+bool grows(const std::string& method, const Oscillation& o, double angle) {
+  System system(o.scene);
+  State y = system.initial_state();
+  const int steps = 4 * static_cast<int>(std::max(1000.0, 20 / angle));  // three periods a quarter
+  const double step = angle / o.omega;
+  const int v = o.axis + 2;  // [x, y, vx, vy]
+  Growth growth(steps, growth_seen);
+  const RunPlan plan{.start = 0, .end = (steps + 0.5) * step, .step = step, .stop = {}};
+  const RunEnd end = run(system, *make_method(method), y, plan, [&](double, const State& now, const JumpReport&) {
+    return growth.add(std::hypot(now[o.axis] - o.rest, now[v] / o.omega));  // without damping it does not swing
+  });
+  return end.ending == Ending::diverged || growth.seen();
+}
+
 double measured_stable_angle(const std::string& method, const Oscillation& oscillation, double guess) {
   double stable = 0;
   double unstable = guess * 1.03;
@@ -85,7 +84,7 @@ double measured_stable_angle(const std::string& method, const Oscillation& oscil
     while (!grows(method, oscillation, unstable)) {
       stable = unstable;
       unstable *= 1.1;
-      if (unstable > most) return most;
+      if (unstable > largest_angle) return largest_angle;
     }
   }
   while (unstable - stable > fine * unstable) {

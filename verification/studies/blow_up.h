@@ -22,9 +22,13 @@ Oscillation spring_oscillation(double zeta);
 // contact.h's law, linearised.
 Oscillation contact_oscillation(double zeta);
 
-// -: largest omega h at which the method does not make the push grow. Growing means that the larger of |x - rest| and
-// |v|/omega is greater in the second half of some thousand steps than in the quarter before by more than growth_seen a
-// step, or that it reaches 1e7 times the push. `guess` shortens the search, no more. At most 100.
+// Whether the push grows at this omega h: the larger of |x - rest| and |v|/omega is greater in the second half of some
+// thousand steps than in the quarter before by more than growth_seen a step, or it reaches 1e7 times the push.
+bool grows(const std::string& method, const Oscillation& oscillation, double angle);
+
+constexpr double largest_angle = 100;  // of omega h: more is not tried
+
+// -: largest omega h at which it does not grow, at most largest_angle. `guess` shortens the search, no more.
 double measured_stable_angle(const std::string& method, const Oscillation& oscillation, double guess);
 
 }  // namespace furrow::verification

@@ -101,16 +101,6 @@ void watch_frozen(const Standing& s, const std::string& name, double h, const Wa
   }
 }
 
-bool frozen_grows(const Standing& s, const std::string& name, double h) {
-  Growth growth(frozen_steps, growth_in_scenes);
-  try {
-    watch_frozen(s, name, h, [&](int, double size) { return growth.add(size); });
-  } catch (const Divergence&) {
-    return true;
-  }
-  return growth.seen();
-}
-
 // A bed whose weight hangs on a few contacts may give way: what grows so, at steps that resolve everything, is motion.
 double own_growth(const Standing& s) {
   const double h = 0.5 / std::abs(s.fastest);
@@ -233,8 +223,18 @@ double predicted_step(const Standing& s, const std::string& method, double growt
   return by_bisection([&](double h) { return linear_form_grows(s, method, h); }, 1 / std::abs(s.fastest));
 }
 
+bool grows(const Standing& s, const std::string& name, double h) {
+  Growth growth(frozen_steps, growth_in_scenes);
+  try {
+    watch_frozen(s, name, h, [&](int, double size) { return growth.add(size); });
+  } catch (const Divergence&) {
+    return true;
+  }
+  return growth.seen();
+}
+
 double measured_step(const Standing& s, const std::string& method, double guess) {
-  return by_bisection([&](double h) { return frozen_grows(s, method, h); }, guess);
+  return by_bisection([&](double h) { return grows(s, method, h); }, guess);
 }
 
 namespace {

@@ -50,6 +50,8 @@ double predicted_step(const Standing& s, const std::string& method, double growt
 // random e. The step counts as unstable if the change in a step grows over two thousand steps beyond the scene's own
 // growth, see growth.h. No jump takes part.
 double measured_step(const Standing& s, const std::string& method, double guess);
+// Whether what deviates grows at this step.
+bool grows(const Standing& s, const std::string& method, double step);
 
 // What becomes of the scene as it runs, with all jumps, for `steps` steps of h from here. Friction and clipping bound
 // what grows: such a run does not diverge but chatters, and the energy that the method makes or loses shows it.
