@@ -78,21 +78,18 @@ TEST(StabilityLimits, PaperMethodOnADampedSpring) {
 // Not only where each method is well known: both kinds of force, all damping ratios, every method with a theory.
 TEST(StabilityLimits, SolverBlowsUpWhereTheAmplificationFactorSays) {
   requirement("stability.limits");
-  const char* const why = "1 % on either side: growth of so much is seen in a thousand steps";
+  const char* const why = "growth of 1 % is seen in a thousand steps";
   for (const MethodInfo& method : method_catalogue()) {
-    if (method.controlled) continue;
     for (const double zeta : {0.0, 0.01, 0.1, 0.5, 1.0, 5.0}) {
-      if (zeta > 0 && method.conservative) continue;  // it takes no force that depends on velocity
+      if (method.controlled || (zeta > 0 && method.conservative)) continue;
       const double limit = largest_stable_angle(method.name, zeta);
-      const std::string at = method.name + ", damping ratio " + std::to_string(zeta) + ", omega h = ";
-      for (const auto& [body, scene] :
-           {std::pair("node on a link", spring_oscillation(zeta)), {"disc on a wall", contact_oscillation(zeta)}}) {
-        expect_true(at + std::to_string(0.99 * limit) + ": a " + body + " holds still",
-                    !grows(method.name, scene, 0.99 * limit), why);
-        if (limit < largest_angle)
-          expect_true(at + std::to_string(1.01 * limit) + ": a " + body + " blows up",
-                      grows(method.name, scene, 1.01 * limit), why);
-      }
+      const std::string at = method.name + ", damping ratio " + std::to_string(zeta) +
+                             ": holds at 0.99 of omega h = " + std::to_string(limit) + " and blows up at 1.01: ";
+      const auto holds_up_to_it = [&](const Oscillation& o) {
+        return !grows(method.name, o, 0.99 * limit) && (limit >= largest_angle || grows(method.name, o, 1.01 * limit));
+      };
+      expect_true(at + "a node on a link", holds_up_to_it(spring_oscillation(zeta)), why);
+      expect_true(at + "a disc on a wall", holds_up_to_it(contact_oscillation(zeta)), why);
     }
   }
 }
