@@ -18,7 +18,7 @@
 namespace furrow {
 namespace {
 
-constexpr int schema = 1;  // of the file
+constexpr int schema = 2;  // of the file; 1 had no lists of names
 
 double load_of_the_machine() {
   double load = 0;
@@ -30,14 +30,60 @@ Json json_of(const Result& r) {
   if (!r.input.empty()) json["input"] = r.input;
   if (r.timed) json["timed"] = true;
   json["cpu"] = r.cpu;
-  json["maker"] = r.maker;
+  if (r.maker != 0) json["maker"] = r.maker;
   json["value"] = r.value;
   return json;
 }
 
-Result result_of(const Json& json) {
-  return {json.at("key"), json.value("input", ""), json.value("timed", false),
-          json.at("cpu"), json.at("maker"),        json.at("value")};
+// Values that are objects with the same names, in the same order, share a list of these.
+using Names = std::vector<std::string>;
+
+Names names_in(const Json& value) {
+  Names names;
+  if (value.is_object()) {
+    for (const auto& one : value.items()) names.push_back(one.key());
+  }
+  return names;
+}
+
+std::vector<Names> shared_names(const std::vector<Result>& results) {
+  std::map<Names, int> counts;
+  std::vector<Names> shared;
+  for (const Result& r : results) {
+    const Names names = names_in(r.value);
+    if (!names.empty() && ++counts[names] == 2) shared.push_back(names);
+  }
+  return shared;
+}
+
+void share_names(Json& result, const std::vector<Names>& shared) {
+  const auto found = std::find(shared.begin(), shared.end(), names_in(result["value"]));
+  if (found == shared.end()) return;
+  Json numbers = Json::array();
+  for (Json& one : result["value"]) numbers.push_back(std::move(one));
+  result["names"] = found - shared.begin();
+  result["value"] = std::move(numbers);
+}
+
+Json value_of(const Json& result, const std::vector<Names>& shared) {
+  if (!result.contains("names")) return result.at("value");
+  const Names& names = shared.at(result.at("names"));
+  const Json& numbers = result.at("value");
+  Json value = Json::object();
+  if (numbers.is_array() && numbers.size() == names.size()) {
+    for (std::size_t k = 0; k < names.size(); ++k) value[names[k]] = numbers[k];
+  }
+  if (value.size() != names.size()) throw std::out_of_range("a result has other names than values");
+  return value;
+}
+
+Result result_of(const Json& json, const std::vector<Names>& shared) {
+  return {json.at("key"),
+          json.value("input", ""),
+          json.value("timed", false),
+          json.at("cpu"),
+          json.value("maker", std::size_t{0}),
+          value_of(json, shared)};
 }
 
 bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
@@ -115,13 +161,14 @@ Numbers Numbers::read(const std::filesystem::path& file) { return of(read_sealed
 
 Numbers Numbers::of(const Json& kept, const std::filesystem::path& file) {
   try {
-    if (kept.at("schema") != schema)
-      throw FileError(file.string() + ": is of schema " + kept.at("schema").dump() + ", not " + std::to_string(schema));
+    if (const int its = kept.at("schema"); its < 1 || its > schema)
+      throw FileError(file.string() + ": is of schema " + std::to_string(its) + ", not " + std::to_string(schema));
     Numbers numbers(kept.at("study"), kept.at("form"));
     std::vector<Maker> makers;
     for (const Json& maker : kept.at("makers")) makers.push_back(maker_of(maker));
+    const auto shared = kept.value("names", std::vector<Names>{});
     for (const Json& result : kept.at("results")) {
-      Result one = result_of(result);
+      Result one = result_of(result, shared);
       if (numbers.find(one.key)) throw FileError(file.string() + ": two results of the key '" + one.key + "'");
       if (one.maker >= makers.size())
         throw FileError(file.string() + ": '" + one.key + "' names a maker that is not there");
@@ -130,6 +177,8 @@ Numbers Numbers::of(const Json& kept, const std::filesystem::path& file) {
     }
     return numbers;
   } catch (const nlohmann::json::exception& error) {
+    throw FileError(file.string() + ": is not the numbers of a study: " + error.what());
+  } catch (const std::out_of_range& error) {
     throw FileError(file.string() + ": is not the numbers of a study: " + error.what());
   }
 }
@@ -140,10 +189,15 @@ bool Numbers::is_one(const std::string& study, const std::string& text) {
 }
 
 Json Numbers::json() const {
-  Json all{
-      {"study", study_}, {"form", form_}, {"schema", schema}, {"makers", Json::array()}, {"results", Json::array()}};
+  Json all{{"study", study_}, {"form", form_}, {"schema", schema}, {"makers", Json::array()}};
   for (const Maker& maker : makers_) all["makers"].push_back(json_of(maker));
-  for (const Result& result : results_) all["results"].push_back(json_of(result));
+  const std::vector<Names> shared = shared_names(results_);
+  if (!shared.empty()) all["names"] = shared;
+  all["results"] = Json::array();
+  for (const Result& result : results_) {
+    all["results"].push_back(json_of(result));
+    share_names(all["results"].back(), shared);
+  }
   seal(all);
   return all;
 }
