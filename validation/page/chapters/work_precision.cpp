@@ -144,15 +144,15 @@ void add_headline(Report& report, const std::vector<Found>& all) {
     const double error = paper->error_by(true);
     const Cheapest best = cheapest_at(f, error, &WorkPrecisionPoint::evaluations);
     errors += (errors.empty() ? "" : ", ") + shown(100 * error) + " %";
-    shares += (shares.empty() ? "" : ", ") + shown(100 * best.cost / paper->evaluations) + " % (" + best.method + ")";
+    shares += (shares.empty() ? "" : ", ") + shown(100 * best.cost / paper->evaluations) + " % (" +
+              spelt_out(best.method) + ")";
   }
   if (!errors.empty())
     report.headline({.tile = "accurate",
                      .value = errors,
                      .text = "error of the force curve at the paper's setting: scene 1, then 0.1 s of scenes 2 and 3, "
-                             "which are chaotic. "
-                             "The best method needs for it " +
-                             shares + " of the evaluations."});
+                             "whose runs part later, whatever the step. As good is the best method with " +
+                             shares + " of the paper's evaluations, its computations of all forces."});
 }
 
 }  // namespace

@@ -61,6 +61,14 @@ void add_references(Report& report, const std::vector<Found>& all) {
       rows);
 }
 
+std::string spelt_out(const std::string& method) {
+  for (const auto& [mark, meaning] : {std::pair<std::string, std::string>{" +t", ", steps ended at tears"},
+                                      {" +e", ", steps ended at touches, slips and tears"}}) {
+    if (method.ends_with(mark)) return method.substr(0, method.size() - mark.size()) + meaning;
+  }
+  return method;
+}
+
 void add_predictability(Report& report, const std::vector<Found>& all) {
   std::vector<std::vector<Json>> rows;
   const auto until = [](const Json& time) { return time.is_null() ? Json("never") : time; };

@@ -20,6 +20,8 @@ struct Cheapest {
   std::string method;
   double cost = NAN;
 };
+// The method without the marks behind its name: the first screen comes before their explanation.
+std::string spelt_out(const std::string& method);
 Cheapest cheapest_at(const Found& found, double error, double benchmarks::WorkPrecisionPoint::*cost);
 
 const benchmarks::WorkPrecisionCurve& paper_curve(const Found& found);
