@@ -73,7 +73,8 @@ double largest_force(const RunRecord& run) {
 // The runs in a table for a page in Markdown.
 std::string scene_table(const std::vector<RunRecord>& runs) {
   std::string table =
-      "| scene | steps | evaluations | CPU [s] | largest force of all steps [N] | links torn | energy residual, of the plate's work "
+      "| scene | steps | evaluations | CPU [s] | largest force of all steps [N] | links torn | energy residual, of the "
+      "plate's work "
       "| state hash |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
   for (const RunRecord& run : runs) {
     const auto last = [&](const char* column) {
