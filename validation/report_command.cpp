@@ -15,6 +15,7 @@
 #include "output/file_list.h"
 #include "output/files.h"
 #include "output/run_files.h"
+#include "output/strict_json.h"
 #include "program/commands.h"
 #include "program/progress.h"
 #include "scene/hash.h"
@@ -62,7 +63,7 @@ int run_side_by_side(const std::vector<RunOptions>& wanted) {
 std::string other_run(const fs::path& directory, const Scene& scene) {
   std::ifstream file(directory / "run.json");
   if (!file) return "there is none";
-  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const auto json = json_or_discarded(file);
   if (!json.is_object()) return "its run.json cannot be read";
   const BuildInfo& build = build_info();
   const std::array<std::pair<const char*, nlohmann::json>, 7> wanted{{{"ended", "finished"},

@@ -6,6 +6,7 @@
 
 #include "output/build_info.h"
 #include "output/files.h"
+#include "output/strict_json.h"
 #include "scene/hash.h"
 #include "scene/wording.h"
 
@@ -31,7 +32,7 @@ std::string text_of(const fs::path& file) {
 
 class Record {
  public:
-  explicit Record(const fs::path& file) : file_(file), json_(Json::parse(text_of(file), nullptr, false)) {
+  explicit Record(const fs::path& file) : file_(file), json_(json_or_discarded(text_of(file))) {
     if (!json_.is_object()) fail("is not what furrow export writes");
   }
 

@@ -26,6 +26,7 @@ EngineFile::EngineFile(const std::filesystem::path& file, int refine) : file_(fi
 bool EngineFile::next() {
   if (!std::getline(stream_, line_)) return false;
   ++number_;
+  if (stream_.eof()) fail("does not end: the file was cut");  // without the end of its line
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,6 +42,11 @@ class MemoryFile {
       if (n < 0 && errno != EINTR) throw std::runtime_error(std::string("no room in memory: ") + std::strerror(errno));
       if (n > 0) text.remove_prefix(static_cast<std::size_t>(n));
     }
+  }
+
+  long long bytes() const {
+    struct stat status {};
+    return fstat(descriptor_, &status) == 0 ? status.st_size : 0;
   }
 
   std::string text() const {
@@ -114,6 +120,9 @@ ChildEnd run_child(const ChildRequest& request) {
     throw_if_interrupted();
     if (wall_seconds() - begun > request.limit)
       throw std::runtime_error(words[0] + " has not ended after " + number(request.limit) + " s and was stopped");
+    if (output.bytes() + errors.bytes() > ChildRequest::most_output)
+      throw std::runtime_error(words[0] + " has printed more than " + std::to_string(ChildRequest::most_output >> 20) +
+                               " MiB and was stopped");
     nanosleep(&between_looks, nullptr);
   }
   return {group.code(), output.text(), errors.text()};

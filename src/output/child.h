@@ -10,6 +10,8 @@ struct ChildRequest {
   std::vector<std::string> words;  // the program, looked for in PATH, and its arguments; "{input}" is a file of `input`
   std::string input;
   double limit = 60;  // s
+  // Bytes that it may print: they are held in memory.
+  static constexpr long long most_output = 1LL << 28;
 };
 
 struct ChildEnd {
@@ -18,7 +20,7 @@ struct ChildEnd {
 };
 
 // Neither the program nor what it has started outlives this call, or this process. Throws Interrupted at once when that
-// is asked for, and std::runtime_error after the limit.
+// is asked for, and std::runtime_error after a limit.
 ChildEnd run_child(const ChildRequest& request);
 
 }  // namespace furrow

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "output/files.h"
+#include "output/strict_json.h"
 
 namespace furrow {
 namespace {
@@ -64,7 +65,7 @@ std::string spoilt_file(const fs::path& directory) {
   if (!fs::is_regular_file(directory / "run.json")) return "run.json is missing";
   std::ifstream file(directory / "run.json", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const auto run_json = nlohmann::ordered_json::parse(text, nullptr, false);
+  const auto run_json = json_or_discarded(text);
   if (!run_json.is_object()) return "run.json is no whole JSON";
   const std::size_t end = text.rfind(before_seal);
   if (end == std::string::npos || run_json.value("seal", nlohmann::ordered_json()) != crc_of(text.substr(0, end)))

@@ -13,6 +13,7 @@
 
 #include "output/build_info.h"
 #include "output/process.h"
+#include "output/strict_json.h"
 
 namespace furrow {
 namespace {
@@ -83,7 +84,7 @@ std::optional<Marker> marker_in(const fs::path& directory) {
   if (!is_there(file)) return {};
   try {
     std::ifstream stream(file);
-    const Json json = is_file(file) ? Json::parse(stream) : Json();
+    const Json json = is_file(file) ? json_or_discarded(stream) : Json();
     Marker marker = marker_of(json);
     if (json.at("program") == "furrow" && std::all_of(marker.files.begin(), marker.files.end(), is_proper))
       return marker;

@@ -171,8 +171,11 @@ void print_step(const Timing& time, const Prepared& prepared) {
   std::printf("\nstable step\n");
   print_arrival(time, prepared);
   if (part.name.empty()) return line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
+  // Nodes do not spin, nothing turns a disc without friction, and without damping the motion is not told apart.
+  const bool spins =
+      part.spins && part.name.starts_with("disc") && prepared.system.has_friction() && part.oscillator.zeta > 0;
   line("stiffest part", "%s, %d contacts, its neighbours held%s", part.name.c_str(), part.contacts,
-       part.spins ? ", its fastest motion a spin" : "");
+       spins ? ", its fastest motion a spin" : "");
   line("", "omega = %.4g rad/s, damping ratio %.4g", part.oscillator.omega, part.oscillator.zeta);
   for (const MethodInfo& m : method_catalogue()) {
     if (m.family != "own" && m.name != time.method) continue;

@@ -49,6 +49,7 @@ int parse_and_run(int argc, char** argv, const std::vector<AddCommands>& parts) 
     if (error.get_exit_code() == 0) return app.exit(error);  // help or version was asked for
     return fail("furrow: error: " + usage_fault(app, error), bad_input);
   }
+  if (const std::string fault = without_value(app); !fault.empty()) return fail("furrow: error: " + fault, bad_input);
   for (const Command& command : commands) {
     if (command.named->parsed()) return command.run();
   }

@@ -67,12 +67,10 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
   run->add_option("--frames", options.frames,
                   "so many pictures at equal times, instead of those of the scene; for furrow view")
       ->type_name("NUMBER");
-  auto* out = run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")
-                  ->type_name("DIR")
-                  ->check(word());
+  auto* out =
+      run->add_option("--out", options.directory, "directory for the files (default: runs/NAME)")->type_name("DIR");
   run->add_option("--resume", options.resume, "go on with the run in this directory, from its last checkpoint")
       ->type_name("DIR")
-      ->check(word())
       ->excludes(out);
 
   run->add_flag("--json", options.json, "print run.json on a terminal too, instead of four lines");

@@ -89,6 +89,16 @@ std::string misspelt(const CLI::App& app, int argc, char** argv) {
   return {};
 }
 
+std::string without_value(const CLI::App& app) {
+  const CLI::App* command = command_of(app);
+  if (!command) return {};
+  for (const CLI::Option* option : command->get_options()) {
+    const auto& given = option->results();
+    if (std::find(given.begin(), given.end(), "") != given.end()) return option->get_name() + ": must not be empty";
+  }
+  return {};
+}
+
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error) {
   const std::string help = "; see " + whole(app) + " --help";
   std::string what = error.what();
@@ -115,11 +125,6 @@ CLI::Validator whole_number(long low, long high) {
                shown(text);
       },
       "");
-}
-
-CLI::Validator word() {
-  return CLI::Validator(
-      [](std::string& text) { return text.empty() ? std::string("must not be empty") : std::string(); }, "");
 }
 
 CLI::Validator moment() {

@@ -13,14 +13,14 @@ std::string unreadable(int argc, char** argv);
 // empty if all are known.
 std::string misspelt(const CLI::App& app, int argc, char** argv);
 
+// The first option that was given an empty text, which a variable of a shell that is not set leaves; empty if none was.
+std::string without_value(const CLI::App& app);
+
 // What CLI11 found wrong.
 std::string usage_fault(const CLI::App& app, const CLI::ParseError& error);
 
 // Accepts whole numbers from `low` to `high`.
 CLI::Validator whole_number(long low, long high);
-
-// Accepts any word but an empty one, which a variable of a shell that is not set leaves.
-CLI::Validator word();
 
 // Accepts numbers (s) that are finite and not negative.
 CLI::Validator moment();

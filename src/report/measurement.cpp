@@ -15,6 +15,7 @@
 #include "output/files.h"
 #include "output/kept_result.h"
 #include "output/machine.h"
+#include "output/strict_json.h"
 #include "report/seal.h"
 #include "scene/hash.h"
 #include "scene/interrupt.h"
@@ -162,7 +163,7 @@ Measurement::Measurement(std::string study, const Settings& settings, const Sour
 void Measurement::take_lines(const fs::path& file) {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
-    const Json json = Json::parse(line, nullptr, false);
+    const Json json = json_or_discarded(line);
     if (!broken_seal(json).empty() || json.at("study") != study_ || json.at("form") != earlier_.form()) continue;
     const Numbers one = Numbers::of(json, file);
     for (const Result& result : one.results()) earlier_.add(result, one.makers().at(result.maker));

@@ -12,6 +12,7 @@
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/machine.h"
+#include "output/strict_json.h"
 #include "report/seal.h"
 #include "scene/wording.h"
 
@@ -184,7 +185,7 @@ Numbers Numbers::of(const Json& kept, const std::filesystem::path& file) {
 }
 
 bool Numbers::is_one(const std::string& study, const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = json_or_discarded(text);
   return json.is_object() && json.contains("schema") && json.contains("results") && json.value("study", "") == study;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "output/files.h"
+#include "output/strict_json.h"
 #include "scene/hash.h"
 
 namespace furrow {
@@ -34,7 +35,7 @@ ordered_json read_sealed(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) throw FileError(file.string() + ": is a directory");
   std::ifstream stream(file);
   if (!stream) throw FileError("cannot read " + file.string());
-  ordered_json kept = ordered_json::parse(stream, nullptr, false);
+  ordered_json kept = json_or_discarded(stream);
   if (kept.is_discarded()) throw FileError(file.string() + ": is no JSON, or cut short");
   if (const std::string why = broken_seal(kept); !why.empty()) throw FileError(file.string() + ": " + why);
   return kept;

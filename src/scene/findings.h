@@ -74,17 +74,35 @@ class Findings {
              return !f.warning && (f.path == path || f.path.starts_with(path + '.') || f.path.starts_with(path + '['));
            });
   }
-  const std::vector<Finding>& list() const { return list_; }
+  // The last one says how many more there are.
+  std::vector<Finding> list() const {
+    std::vector<Finding> all = list_;
+    for (const bool warning : {false, true})
+      if (more_[warning] > 0)
+        all.push_back({"", "and " + std::to_string(more_[warning]) + " more like these", {}, warning});
+    return all;
+  }
 
  private:
+  // A mistake that is made for each of many parts is told often enough; what is not told is known to be wrong all the same.
+  static constexpr long most = 200;
+
   void add(Finding f) {
     const auto& others = f.others;
     if (!std::all_of(others.begin(), others.end(), [&](const std::string& other) { return known(other); })) return;
-    if (known(f.path)) list_.push_back(std::move(f));
+    if (!known(f.path)) return;
+    if (told_[f.warning] < most) {
+      ++told_[f.warning];
+      list_.push_back(std::move(f));
+    } else {
+      ++more_[f.warning];
+      if (!f.warning) unread_.add(f.path);
+    }
   }
 
   Unread unread_;
   std::vector<Finding> list_;
+  long told_[2] = {0, 0}, more_[2] = {0, 0};  // by warning
 };
 
 // Each of these judges one aspect of a scene.

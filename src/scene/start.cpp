@@ -260,6 +260,7 @@ class StartJudge {
   }
 
   void judge_wall(std::size_t k) {
+    bool told = false;
     for (std::size_t j = 0; j < k; ++j) {
       const double across = normal_[k].x * normal_[j].y - normal_[k].y * normal_[j].x;
       const bool same_side = normal_[k].x * normal_[j].x + normal_[k].y * normal_[j].y > 0;
@@ -268,9 +269,10 @@ class StartJudge {
       const double distance = distance_to_wall(j, p);
       const double size = touch * std::max({std::fabs(p.x), std::fabs(p.y), 1e-3});
       if (std::fabs(distance) <= size)
-        found_.error(item("wall", k), "the same as " + item("wall", j) + ": its stiffness would count twice");
-      else if (across == 0)
+        return found_.error(item("wall", k), "the same as " + item("wall", j) + ": its stiffness would count twice");
+      if (across == 0 && !told)
         found_.warning(item("wall", distance < 0 ? k : j), "lies behind " + item("wall", distance < 0 ? j : k));
+      told = told || across == 0;
     }
   }
 

@@ -137,6 +137,7 @@ TEST_F(Comparing, RefusesAnEndThatHasNotEveryBodyOnce) {
   expect_refused("end.1.txt", with_line(end, 2, "999"), "has 999 as step, not 1000");
   expect_refused("end.1.txt", with_line(end, 4, "3"), "has 3 bodies, not 2");
   expect_refused("end.1.txt", end + "3 0 0 0 0\n", "is more than the run has");
+  expect_refused("end.1.txt", end.substr(0, end.size() - 1), "does not end: the file was cut");
 }
 
 TEST_F(Comparing, RefusesADeckThatIsNotAsItWasWritten) {

@@ -60,9 +60,18 @@ TEST_F(Input, OptionsThatSetOneKeyTwiceAreRefusedNotDropped) {
                  "--set plate[0].velocity: --set plate[0].velocity.x sets it too");
 }
 
-TEST_F(Input, AnEmptyDirectoryIsRefusedNotTheDefault) {
+// As a variable of a shell that is not set leaves it: no default, no file beside, and nothing is run before it is said.
+TEST_F(Input, AnEmptyValueIsRefusedNotTheDefault) {
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out ''", "--out: must not be empty");
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --resume ''", "--resume: must not be empty");
+  expect_refusal("run ''", "scene: must not be empty");
+  for (const std::string command : {"study geometry --quick", "ensemble --few", "statements", "report",
+                                    "calibrate " + scene("scenario_1") + " --vary a=1:2 --to t.toml"})
+    expect_refusal(command + " --out ''", "--out: must not be empty");
+  expect_refusal("golden --quick --goldens ''", "--goldens: must not be empty");
+  expect_refusal("judge --engine true --json ''", "--json: must not be empty");
+  expect_refusal("judge --engine true --junit ''", "--junit: must not be empty");
+  expect_refusal("report --checks '' --judgements there", "--checks: must not be empty");
 }
 
 TEST_F(Input, PicturesCloserThanAStepAreRefusedWhereStepsAreFixed) {

@@ -92,6 +92,13 @@ TEST(SceneStart, RefusesWhatIsGivenTwice) {
             Lines{"plate[1]: in the place of plate[0]: what touches one touches both"});
 }
 
+TEST(SceneStart, OneMistakeOfManyPartsIsToldTwoHundredTimesAndCounted) {
+  const Lines all = problems([](Scene& s) { s.wall.assign(3001, s.wall[0]); });
+  ASSERT_EQ(all.size(), 201u);
+  EXPECT_EQ(all[199], "wall[200]: the same as wall[0]: its stiffness would count twice");
+  EXPECT_EQ(all.back(), ": and 2800 more like these");
+}
+
 TEST(SceneStart, WarnsOfPartsThatShareASurfaceOrFeelNothingOfEachOther) {
   EXPECT_EQ(warnings([](Scene& s) {
               s.plate = {plate(3, 0.5), plate(3.5, 0.5)};

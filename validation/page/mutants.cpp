@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "output/strict_json.h"
 #include "validation/page/html.h"
 
 namespace furrow::validation {
@@ -12,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json read(const std::filesystem::path& file) {
   std::ifstream stream(file);
-  return Json::parse(stream, nullptr, false);
+  return json_or_discarded(stream);
 }
 
 // "91 %", and its 95 % interval.
@@ -35,7 +36,8 @@ std::string row_of(const Json& row) {
 
 std::string unusable_mutants(const std::filesystem::path& file) {
   const Json kept = read(file);
-  if (!kept.is_object()) return file.string() + ": cannot be read";
+  if (!std::filesystem::is_regular_file(file)) return file.string() + ": is no file that can be read";
+  if (!kept.is_object()) return file.string() + ": is not what scripts/mutants writes";
   for (const char* key : {"commit", "seed", "all", "rooms", "mutants"}) {
     if (!kept.contains(key)) return file.string() + ": does not say its " + key;
   }

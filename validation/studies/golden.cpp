@@ -7,6 +7,7 @@
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/kept_result.h"
+#include "output/strict_json.h"
 #include "report/seal.h"
 #include "report/study.h"
 #include "run/observe.h"
@@ -110,7 +111,7 @@ Json run_of(const Which& which, Extent extent) {
 
 Json golden_in(const fs::path& file) {
   std::ifstream stream(file);
-  return stream ? Json::parse(stream, nullptr, false) : Json();
+  return stream ? json_or_discarded(stream) : Json();
 }
 
 fs::path file_of(const Which& which, const GoldenOptions& options) {
@@ -129,7 +130,7 @@ void write_golden(const fs::path& file, Json golden, const Json& old, const std:
 }
 
 bool is_golden(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = json_or_discarded(text);
   return json.is_object() && json.contains("checkpoints") && json.contains("reasons");
 }
 

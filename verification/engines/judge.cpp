@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "scene/interrupt.h"
@@ -175,8 +176,8 @@ void conclude(Judgement& j) {
 }
 
 struct Asked {
-  std::vector<Json> answers;  // one a resolution
-  std::string cannot;
+  std::vector<Json> answers;          // one a resolution, if it can
+  std::optional<std::string> cannot;  // why
 };
 
 double claimed_order(const Json& answer) {
@@ -196,8 +197,9 @@ Asked ask(const Json& whole, const Engine& engine, Judgement& j) {
     j.engine = answer.value("engine", "unnamed");
     j.method = answer.value("method", "");
     if (answer.contains("cannot")) {
-      all.cannot = answer["cannot"];
-      if (!first) throw std::runtime_error("it answered, and then could not with shorter steps: " + all.cannot);
+      all.cannot = answer["cannot"].get<std::string>();
+      if (all.cannot->empty()) throw std::runtime_error("the answer has cannot, and no word why");
+      if (!first) throw std::runtime_error("it answered, and then could not with shorter steps: " + *all.cannot);
       return all;
     }
     if (!answer.contains("observables")) throw std::runtime_error("the answer has neither observables nor cannot");
@@ -259,6 +261,8 @@ std::string to_string(CaseVerdict verdict) {
 
 Finding judge_observable(const Json& seen, const std::vector<int>& steps, const std::vector<double>& h,
                          const std::vector<double>& values, double claimed) {
+  if (values.size() != steps.size() || h.size() != steps.size())
+    throw std::logic_error("an observable of another number of resolutions");
   Finding f{.name = seen["name"], .unit = seen["unit"], .values = values, .expected = seen.value("value", 0.0)};
   const std::string kind = seen.value("kind", "converging");
   if (kind == "step") return judge_time(f, seen, h);
@@ -272,14 +276,18 @@ Judgement judge_case(const Json& whole, const Engine& engine) {
   try {
     const Asked asked = ask(whole, engine, j);
     std::vector<Json> own;
-    if (asked.cannot.empty() && whole.contains("view")) own = ask(case_named(whole["view"]["of"]), engine, j).answers;
-    if (asked.cannot.empty()) {
-      judge_answers(j, whole, asked, own);
-      conclude(j);
-    } else {
+    if (asked.cannot) {
       j.verdict = CaseVerdict::cannot;
-      j.words = asked.cannot;
+      j.words = *asked.cannot;
+      return j;
     }
+    if (whole.contains("view")) {
+      const Asked asked_for_own = ask(case_named(whole["view"]["of"]), engine, j);
+      if (asked_for_own.cannot) throw std::runtime_error("it can do the other view alone: " + *asked_for_own.cannot);
+      own = asked_for_own.answers;
+    }
+    judge_answers(j, whole, asked, own);
+    conclude(j);
   } catch (const Interrupted&) {  // no word of the engine
     throw;
   } catch (const Json::exception& fault) {

@@ -9,6 +9,7 @@
 
 #include "methods/method.h"
 #include "output/files.h"
+#include "output/strict_json.h"
 #include "program/progress.h"
 #include "program/signals.h"
 #include "program/usage.h"
@@ -80,12 +81,14 @@ void refuse_foreign(const std::string& file, std::string_view begins) {
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder)) throw FileError(file + ": there is no directory " + folder.string());
   if (access(folder.c_str(), W_OK) != 0) throw FileError(file + ": " + folder.string() + " may not be written");
-  if (!std::filesystem::exists(file)) return;
+  const std::filesystem::file_status status =
+      std::filesystem::symlink_status(file);  // what is replaced is the link itself
+  if (!std::filesystem::exists(status)) return;
   std::ifstream stream(file, std::ios::binary);
   std::string there(begins.size(), '\0');
   stream.read(there.data(), static_cast<std::streamsize>(there.size()));
   there.resize(static_cast<std::size_t>(stream.gcount()));
-  if (!std::filesystem::is_regular_file(file) || (!there.empty() && there != begins))
+  if (!std::filesystem::is_regular_file(status) || (!there.empty() && there != begins))
     throw FileError(file + " is there and is no result of furrow judge; move it away, or name another file");
 }
 
@@ -136,7 +139,7 @@ int engine_command(const std::string& method) {
   if (make_method(method)->info().controlled)
     throw std::invalid_argument("--method: " + method +
                                 " chooses its own step; the judge asks for steps that are given");
-  const Json request = Json::parse(std::cin, nullptr, false);
+  const Json request = json_or_discarded(std::cin);
   if (request.is_discarded())
     throw std::invalid_argument("the request on standard input is not JSON; see furrow cases --protocol");
   require_protocol(request);

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdio>
 
+#include "scene/utf8.h"
+
 namespace furrow::verification {
 namespace {
 
 std::string escaped(const std::string& text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : visible(text)) {  // XML has no controls
     if (c == '&')
       safe += "&amp;";
     else if (c == '<')
@@ -17,7 +19,7 @@ std::string escaped(const std::string& text) {
     else if (c == '"')
       safe += "&quot;";
     else
-      safe += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+      safe += c;
   }
   return safe;
 }

@@ -1,0 +1,76 @@
+// What an engine may print: an answer that does not follow the protocol has failed, and no other case is lost by it.
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "output/child.h"
+#include "verification/engines/judge.h"
+#include "verification/engines/judgement_files.h"
+
+namespace furrow::test {
+namespace {
+
+using verification::CaseVerdict;
+using verification::Json;
+using verification::judge_observable;
+using verification::Judgement;
+
+Judgement judgement_of(const std::string& command) {
+  return verification::judge_case(verification::case_named("hertz_wall"), verification::program_engine(command, 10));
+}
+
+void expect_failed(const std::string& command, const std::string& words) {
+  const Judgement j = judgement_of(command);
+  EXPECT_EQ(j.verdict, CaseVerdict::failed) << command;
+  EXPECT_NE(j.words.find(words), std::string::npos) << j.words;
+  EXPECT_NO_THROW(verification::judgements_as_json({j}).dump());
+}
+
+std::string answering(const Json& answer) { return "cat >/dev/null; echo '" + answer.dump() + "'"; }
+
+Json all_observables(const std::string& name, double value) {
+  Json answer{{"engine", "x"}, {"order", 1}, {"observables", Json::object()}};
+  for (const Json& seen : verification::case_named(name)["observe"])
+    answer["observables"][seen["name"].get<std::string>()] = value;
+  return answer;
+}
+
+TEST(Answers, CannotWithoutAWordIsNoLeaveToAnswerOnce) {
+  Json answer = all_observables("hertz_wall", 12345);
+  answer["cannot"] = "";
+  expect_failed(answering(answer), "has cannot, and no word why");
+  answer["cannot"] = 3;
+  expect_failed(answering(answer), "does not follow the protocol");
+}
+
+TEST(Answers, OneValueIsJudgedForEachResolutionOrNotAtAll) {
+  const Json seen{{"name", "x"}, {"unit", "m"}, {"value", 2.0}, {"floor", 1e-12}, {"limit", 9}};
+  const std::vector<double> h{0.1, 0.01, 0.001};
+  for (const std::vector<double>& values : {std::vector<double>{}, {2.0}, {2.0, 2.0}, {2.0, 2.0, 2.0, 2.0}})
+    EXPECT_THROW(judge_observable(seen, {10, 100, 1000}, h, values, 1), std::logic_error) << values.size();
+}
+
+TEST(Answers, NestedTooDeepHasFailed) {
+  const std::string deep = "'[' * 200000 + ']' * 200000", answer = "cat >/dev/null; python3 -c \"print('{";
+  expect_failed(answer + "\\\"engine\\\": ' + " + deep + " + '}')\"", "nested deeper");
+  expect_failed(answer + "\\\"order\\\": ' + " + deep + " + '}')\"", "nested deeper");
+}
+
+TEST(Answers, BytesThatAreNoUtf8AreShownAsSuch) {
+  expect_failed(R"(cat >/dev/null; printf '{"engine": "\377"}')", "is no JSON");
+  expect_failed(R"(printf 'lost \377 and \303' >&2; exit 3)", "code 3: lost ? and ?");
+  expect_failed("python3 -c \"import sys; sys.stderr.buffer.write(b'x' + 'ö'.encode() * 400)\"; exit 3", "öö?");
+}
+
+TEST(Answers, WhatXmlCannotHoldIsReplaced) {
+  Judgement j = judgement_of("exit 3");
+  j.words = "a \xef\xbf\xbf b \x01 c";
+  EXPECT_NE(verification::judgements_as_junit({j}).find("failed: a ? b ? c"), std::string::npos);
+}
+
+TEST(Answers, WithoutEndAreStopped) {
+  expect_failed("yes", "has printed more than " + std::to_string(ChildRequest::most_output >> 20) + " MiB");
+}
+
+}  // namespace
+}  // namespace furrow::test
