@@ -93,7 +93,10 @@ TEST(SceneStart, RefusesWhatIsGivenTwice) {
 }
 
 TEST(SceneStart, OneMistakeOfManyPartsIsToldTwoHundredTimesAndCounted) {
-  const Lines all = problems([](Scene& s) { s.wall.assign(3001, s.wall[0]); });
+  const Lines all = problems([](Scene& s) {
+    s.wall.assign(3001, s.wall[0]);
+    for (std::size_t k = 0; k < s.wall.size(); ++k) s.wall[k].name = std::to_string(k);
+  });
   ASSERT_EQ(all.size(), 201u);
   EXPECT_EQ(all[199], "wall[200]: the same as wall[0]: its stiffness would count twice");
   EXPECT_EQ(all.back(), ": and 2800 more like these");
