@@ -1,8 +1,9 @@
 // Prints one line "scene hash" for a short run of each scene of the paper and some others, settled and moved for a
 // while with everything on. Built with other compilers and flags, and run with the reference or on threads, it must
-// print the lines of hashes.txt; the reference, which looks at every pair, runs the shorter scenes alone.
+// print the lines of hashes.txt; the reference, which looks at every pair, runs the shorter scenes alone, and so does
+// `short`, for builds that are slow.
 //
-// Usage: state_hashes DIRECTORY_OF_SCENES [reference | threads]
+// Usage: state_hashes DIRECTORY_OF_SCENES [reference | threads | short]
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -72,9 +73,9 @@ void print(const char* name, const char* variant, const Scene& scene) {
 
 int main(int argc, char** argv) {
   const std::string setting = argc == 3 ? argv[2] : "";
-  const bool reference = setting == "reference";
-  if (argc != 2 && !reference && setting != "threads") {
-    std::fprintf(stderr, "usage: state_hashes DIRECTORY_OF_SCENES [reference | threads]\n");
+  const bool reference = setting == "reference", fewer = reference || setting == "short";
+  if (argc != 2 && !fewer && setting != "threads") {
+    std::fprintf(stderr, "usage: state_hashes DIRECTORY_OF_SCENES [reference | threads | short]\n");
     return 2;
   }
   const std::filesystem::path directory = argv[1];
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
     if (reference) scene.time.solver = furrow::SolverKind::reference;
     if (std::string(name) == "scenario_1") scene.time.end = 0.6;  // until links have torn
     print(name, "pece", scene);
-    if (reference && !scene.packing.empty()) continue;
+    if (fewer && !scene.packing.empty()) continue;
     Scene chosen = scene;  // steps that the method chooses, tears located
     chosen.time.step = 1e-3;
     chosen.time.locate = furrow::Locate::tears;
@@ -101,7 +102,7 @@ int main(int argc, char** argv) {
     scene.time.end = std::min(scene.time.end, 0.002);
     print(name, "sphere", scene);
   }
-  if (reference) return 0;
+  if (fewer) return 0;
   Scene bed = wide(furrow::read_scene(directory / "scenario_2.toml"));
   if (setting == "threads") bed.search.threads = 3;
   print("wide bed", "pece", bed);
