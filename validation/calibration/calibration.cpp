@@ -12,6 +12,7 @@
 namespace furrow::validation {
 namespace {
 
+constexpr const char* kept_runs = "runs.jsonl";
 constexpr std::size_t most_candidates = 5;
 constexpr double apart = 0.02;  // of a range: settings nearer to each other are one
 
@@ -47,6 +48,15 @@ std::unique_ptr<OwnedDirectory> own_directory(const CalibrationRequest& request,
   refuse_own_input(request, cases);
   return std::make_unique<OwnedDirectory>(request.directory, "calibration", files_of_calibration(cases),
                                           OwnedDirectory::Earlier::kept);
+}
+
+// What an earlier calibration found is no result of this one, which may end without any. The runs stay.
+void remove_earlier_results(OwnedDirectory& owned, const std::vector<Case>& cases) {
+  owned.keep_only({kept_runs});
+  // Those that are not there yet have an empty directory: it goes too.
+  for (const std::string& file : files_of_calibration(cases)) {
+    if (file != kept_runs) owned.discard(file);
+  }
 }
 
 bool alike(const std::vector<VariedKey>& keys, const Setting& a, const Setting& b) {
@@ -106,6 +116,7 @@ Calibration calibrate(const CalibrationRequest& request) {
   Runs runs(request.directory, request.plan.jobs,
             [&](long made) { return !request.progress || request.progress(static_cast<double>(made), all); });
   const Evaluator evaluator(result.cases, result.keys, result.targets, runs);
+  if (owned) remove_earlier_results(*owned, result.cases);
   const Packings fresh = evaluator.packed() ? Packings{request.plan.packings, request.fresh} : Packings{0, 1};
   all = static_cast<double>(runs_of(request.plan, evaluator) + runs_to_identify(evaluator, fresh.count) +
                             static_cast<long>(most_candidates) * evaluator.runs_a_point(fresh.count));
