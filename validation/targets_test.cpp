@@ -156,9 +156,9 @@ TEST(LinearTheory, ReachesTheLeastByPartsOfAStep) {
 }
 
 TEST(LinearTheory, KnowsWhetherAPointIsALeast) {
-  for (const double x : {0.5, 0.2, 0.36}) EXPECT_FALSE(arrived(bent(x), Intervals(bent(x)).half)[0]) << x;
-  EXPECT_TRUE(arrived(bent(0.35), Intervals(bent(0.35)).half)[0]);
-  EXPECT_TRUE(arrived(bent(0.351), Intervals(bent(0.351)).half)[0]) << "off by 0.001; half the interval is 0.003";
+  for (const double x : {0.5, 0.2, 0.36}) EXPECT_FALSE(arrived(bent(x), Intervals(bent(x)).half)) << x;
+  EXPECT_TRUE(arrived(bent(0.35), Intervals(bent(0.35)).half));
+  EXPECT_TRUE(arrived(bent(0.351), Intervals(bent(0.351)).half)) << "off by 0.001; half the interval is 0.003";
 }
 
 // 10 (x - a) and 10 (x + y - b).

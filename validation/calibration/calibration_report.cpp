@@ -112,7 +112,7 @@ void add_known(Report& report, const Calibration& c) {
     report.table(
         "95 % intervals by the linear theory of least squares, errors independent and at least as large as the "
         "tolerances; not identifiable: longer than the range; not a minimum yet: the step that the slopes ask for is "
-        "longer than the interval.",
+        "longer than an interval.",
         {"key", "best", "95 % interval", "note"}, rows);
   for (const Flat& flat : found.flat) {
     std::string text;
@@ -127,9 +127,8 @@ void add_known(Report& report, const Calibration& c) {
       std::all_of(found.known.begin(), found.known.end(), [](const Known& known) { return known.arrived; });
   if (!all_arrived)
     report.text(
-        "The search has not arrived at a minimum in every key: how well the others are known holds for this point "
-        "alone. "
-        "Calibrate with more --points.");
+        "The search has not arrived at a minimum: how well the keys are known is not said. Calibrate with more "
+        "--points.");
   if (found.flat.empty() && !found.known.empty() && all_arrived)
     report.text("No direction is flat: every key is told from the others.");
 }

@@ -188,10 +188,10 @@ Identified identify(const Evaluator& evaluator, const Point& best, const Packing
     about = slopes_about(evaluator, best, ranged, probes);
     linear = Intervals(about);
   }
-  const std::vector<bool> there = arrived(of_loss(evaluator, about), linear.half);
+  const bool there = arrived(of_loss(evaluator, about), linear.half);
   for (std::size_t i = 0; i < ranged.size(); ++i)
     found.known.push_back(known_of(evaluator.keys()[ranged[i]], best.setting[ranged[i]],
-                                   linear.half[static_cast<Eigen::Index>(i)], there[i]));
+                                   linear.half[static_cast<Eigen::Index>(i)], there));
   for (Eigen::Index k = 0; k < linear.along.size(); ++k) {
     if (linear.along[k] > 0.5)
       found.flat.push_back(flat_along(evaluator, best, ranged, linear.directions.col(k), packings));

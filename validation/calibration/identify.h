@@ -8,7 +8,7 @@
 // than the ranges themselves is flat: the targets do not say where on it the truth lies.
 //
 // All of this is about a minimum. Where the Gauss-Newton step that is left, x_j - ((J'WJ)^-1 J'W r)_j within the ranges, is
-// longer than the half interval, the search has not arrived at one, and no interval is given.
+// in any key longer than the half interval, the search has not arrived at one, and no interval is given.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Known {
   std::string key, value;
   std::string low, high;  // 95 % interval; empty: none shorter than the range, or not arrived
   bool at_edge = false;   // the best value is at an end of its range
-  bool arrived = true;    // the step that is left is within the interval
+  bool arrived = true;    // the step that is left is within the intervals of all keys
 };
 
 constexpr const char* not_a_minimum = "not a minimum yet: try more --points";

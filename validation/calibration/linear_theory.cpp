@@ -85,11 +85,8 @@ Vector step_within_ranges(const Slopes& about) {
   return step;
 }
 
-std::vector<bool> arrived(const Slopes& about, const Vector& half) {
-  const Vector step = step_within_ranges(about);
-  std::vector<bool> all;
-  for (Eigen::Index k = 0; k < step.size(); ++k) all.push_back(std::fabs(step[k]) <= half[k]);
-  return all;
+bool arrived(const Slopes& about, const Vector& half) {
+  return (step_within_ranges(about).array().abs() <= half.array()).all();
 }
 
 std::optional<double> falling_share(const std::function<double(double)>& misfit_after, double before) {

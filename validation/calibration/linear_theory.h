@@ -27,9 +27,10 @@ struct Intervals {
 // the step would take out of its range goes to the end of it, and the others to the least from there.
 Eigen::VectorXd step_within_ranges(const Slopes& about);
 
-// By key: whether the step that is left is no longer than half its interval. If it is longer the point is no minimum, or
-// the model is not its slopes so far off: either way the interval says nothing.
-std::vector<bool> arrived(const Slopes& about, const Eigen::VectorXd& half);
+// Whether the step that is left is in no key longer than half its interval. If it is longer the point is no minimum, or
+// the model is not its slopes so far off: either way no interval says anything, those of the other keys neither, since
+// their best values move with this one.
+bool arrived(const Slopes& about, const Eigen::VectorXd& half);
 
 constexpr int most_shares = 5;
 
