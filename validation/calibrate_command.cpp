@@ -50,9 +50,7 @@ void print(const Calibration& c, const std::string& directory) {
   const Candidate& best = c.best.front();
   std::printf("misfit %s of tolerances: %s\n", rounded(best.fresh.misfit(), 3).c_str(),
               text_of(c.keys, best.searched.setting).c_str());
-  for (const Known& k : c.identified.known)
-    std::printf("  %s = %s, %s\n", k.key.c_str(), k.value.c_str(),
-                k.low.empty() ? "not identifiable" : ("95 % interval " + k.low + " to " + k.high).c_str());
+  for (const Known& known : c.identified.known) std::printf("  %s\n", words_of(known).c_str());
   print_without_effect(c);
   print_unsaid(c);
   if (!c.identified.why_not.empty()) std::printf("  no intervals: %s\n", c.identified.why_not.c_str());

@@ -35,9 +35,9 @@ struct Bench {
   std::filesystem::path at(const std::string& name) const { return directory.path() / name; }
   void put(const std::string& name, const std::string& text) const { std::ofstream(at(name)) << text; }
   Calibration of(const std::string& targets, const std::vector<std::string>& vary,
-                 const std::vector<std::string>& scenes = {"twig"}) const {
+                 const std::vector<std::string>& scenes = {"twig"}, const std::filesystem::path& out = {}) const {
     put("to.toml", targets);
-    CalibrationRequest asked{.scenes = {}, .vary = vary, .targets = at("to.toml"), .directory = {}};
+    CalibrationRequest asked{.scenes = {}, .vary = vary, .targets = at("to.toml"), .directory = out};
     for (const std::string& scene : scenes) asked.scenes.push_back(at(scene + ".toml"));
     asked.plan.global_points = 5;
     asked.plan.local_points = 3;
@@ -167,6 +167,24 @@ TEST(Calibration, OfWhichNoRunSaysATargetIsAnError) {
     const std::string error = said_by<NothingCompared>([&] { bench.of(text, {stiffness + "=1e3,2e3"}); });
     EXPECT_NE(error.find(message), std::string::npos) << text << error;
   }
+}
+
+TEST(Calibration, ThatFindsNothingLeavesNoResultOfAnEarlierOne) {
+  const Bench bench;
+  const std::filesystem::path out = bench.at("out");
+  const std::vector<std::string> keys{stiffness + "=1e3,2e3"};
+  const auto there = [&](const char* name) { return std::filesystem::exists(out / name); };
+  write_calibration(bench.of(near_curve, keys, {"twig"}, out), out);
+  for (const char* name : {"calibration.json", "calibration.html", "best/twig.toml"}) EXPECT_TRUE(there(name)) << name;
+  bench.put("out/notes.txt", "mine");
+  EXPECT_THROW(bench.of(targeted("observable = \"none\""), keys, {"twig"}, out), std::invalid_argument);
+  EXPECT_TRUE(there("calibration.json")) << "a call that is wrong changes nothing";
+  EXPECT_THROW(bench.of(valued("finished"), keys, {"other"}, out), NothingCompared);
+  for (const char* name : {"calibration.json", "calibration.html", "best"}) EXPECT_FALSE(there(name)) << name;
+  EXPECT_TRUE(there("runs.jsonl"));
+  EXPECT_TRUE(there("notes.txt"));
+  write_calibration(bench.of(near_curve, keys, {"twig"}, out), out);
+  EXPECT_TRUE(there("best/twig.toml"));
 }
 
 TEST(Calibration, OfWhichEveryRunDivergesIsADivergence) {

@@ -96,6 +96,25 @@ TEST(Calibration, RecoversTheKeysOfANoisyCurveWithinItsIntervals) {
   }
 }
 
+// From a point that is no minimum the slopes lead on: what the theory would say about it is not so.
+TEST(Identify, GivesNoIntervalAwayFromAMinimum) {
+  const Place place;
+  measure_curve(place.at("curve.csv"), {{structural.c_str(), "3100"}, {shear.c_str(), "730"}}, 0.05);
+  write(place.at("targets.toml"), curve_targets);
+  Runs runs({}, 1);
+  const Evaluator evaluator({{"stem", parse_scene(stem, "stem")}},
+                            {VariedKey::of(structural + "=1e3:1e4:log"), VariedKey::of(shear + "=200:2000:log")},
+                            read_targets(place.at("targets.toml"), {"stem"}), runs);
+  const auto known_at = [&](const Setting& setting) {
+    return identify(evaluator, evaluator.at(setting, {}), {}).known;
+  };
+  for (const Known& known : known_at({"3100", "730"})) EXPECT_TRUE(known.arrived && !known.low.empty()) << known.key;
+  for (const Known& known : known_at({"8000", "300"})) {
+    EXPECT_FALSE(known.arrived) << known.key;
+    EXPECT_EQ(known.low + known.high, "") << known.key;
+  }
+}
+
 // Only 1/E* = (1 - nu^2)/E_1 + (1 - nu^2)/E_2 enters the contact.
 TEST(Calibration, SaysThatTheTwoModuliOfOneContactCannotBeToldApart) {
   const Place place;
@@ -226,6 +245,8 @@ TEST(Calibration, SaysWhatIsWrongWithAKey) {
       {"lattice[0].damper=axial,ful", "did you mean \"full\"?"},
       {"lattice[0].damper=axial,axial", "names a value twice"},
       {"time.method=pece,foo", "time.method=foo"},
+      {"time.method=\"ver,let\",pece", "--vary time.method=\"ver,let\": "},
+      {"time.method=\"verlet,pece", "a quote is opened and not closed"},
       {"other:contact.friction=0.1:0.9", "there is no scene \"other\""},
       {"contact.friction,contact.friction=0.1:0.9", "is varied twice"}};
   for (const auto& [key, message] : wrong) {

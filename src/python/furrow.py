@@ -77,7 +77,10 @@ def program():
 
 
 def _call(arguments, directory=None, made=None):
-    done = subprocess.run([program(), *map(str, arguments)], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    words = [program(), *map(str, arguments)]
+    if any("\0" in word for word in words):
+        raise Error(f"a word for furrow holds a zero byte: {next(word for word in words if chr(0) in word)!r}; leave it out")
+    done = subprocess.run(words, capture_output=True, text=True, stdin=subprocess.DEVNULL)
     done.stderr = done.stderr.replace(made, "scene") if made else done.stderr
     if done.returncode != 0:
         message = done.stderr.strip() or f"ended by signal {-done.returncode}"
@@ -98,9 +101,18 @@ def load(file):
             raise Error(f"{file} is no TOML: {wrong}") from None
 
 
+def _text(text):
+    """The text, if a file can hold it: half of a pair of surrogates is no character."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        raise Error(f"a scene cannot hold a text that UTF-8 cannot: {text!r}; leave out what is no character") from None
+    return text
+
+
 def _value(value):
     if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False)
+        return json.dumps(_text(value), ensure_ascii=False)
     if isinstance(value, bool) or numpy and isinstance(value, numpy.bool_):
         return "true" if value else "false"
     if isinstance(value, numbers.Integral):
@@ -120,7 +132,7 @@ def to_toml(scene, _path=""):
     """A scene that is a dict, as TOML. Keys whose value is None are left out."""
     values, tables = "", ""
     for key, value in scene.items():
-        path = f"{_path}.{key}" if _path else key
+        path = _text(f"{_path}.{key}" if _path else str(key))
         if isinstance(value, dict):
             tables += f"\n[{path}]\n" + to_toml(value, path)
         elif _is_table_list(value):
@@ -250,8 +262,18 @@ class Table:
     def __repr__(self):
         return f"Table of {len(self)} rows: " + ", ".join(f"{n} [{u}]" if u else n for n, u in self._units.items())
 
+    def _wanted(self, name, value):
+        """As the cells of that column are: names are texts, those that are numbers too, as plate 0."""
+        if self._known(name) not in _WORDS:
+            return value
+        text, known = str(value), list(dict.fromkeys(map(str, self[name])))
+        if known and text not in known and name in ("plate", "wall"):  # of a kind or a body there may be none
+            raise Error(f"no {name} is named {text!r}; there are {', '.join(map(repr, known))}")
+        return text
+
     def where(self, **wanted):
-        """The rows in which each named column has this value."""
+        """The rows in which each named column has this value. A plate and a wall must be one that the table has."""
+        wanted = {name: self._wanted(name, value) for name, value in wanted.items()}
         chosen = [k for k in range(len(self)) if all(self[name][k] == value for name, value in wanted.items())]
         columns = {n: c[chosen] if numpy else [c[k] for k in chosen] for n, c in self._columns.items()}
         return Table(columns, self._units)
@@ -276,7 +298,7 @@ def _crc(data):
 
 
 def _json_in(file):
-    """Its contents and, if it has a seal, whether they are what was sealed."""
+    """Its contents, and whether they are what was sealed; None if they bear no seal."""
     try:
         text = file.read_bytes()
         json_of = json.loads(text.decode("utf-8"))
@@ -284,8 +306,8 @@ def _json_in(file):
         raise Error(f"{file} cannot be read as JSON: {wrong}; {_AGAIN}") from None
     if not isinstance(json_of, dict):
         raise Error(f"{file} holds no JSON object; {_AGAIN}")
-    sealed = text[:text.rfind(b',\n  "seal": "')]
-    return json_of, json_of.get("seal", _crc(sealed)) == _crc(sealed)
+    sealed = text[:max(0, text.rfind(b',\n  "seal": "'))]
+    return json_of, json_of["seal"] == _crc(sealed) if "seal" in json_of else None
 
 
 def _fault_of_run(run):
@@ -319,7 +341,7 @@ class Run:
         if not fault and standing not in (None, self.json["ended"]):
             fault = f"it says {self.json['ended']}, but .furrow.json {standing}: wait for the run, or furrow run --resume"
         if not fault and not as_sealed:
-            fault = "its text and its seal differ"
+            fault = "it bears no seal" if as_sealed is None else "its text and its seal differ"
         if fault:
             raise Error(f"{file} is not what a run writes: {fault}; {_AGAIN}")
 
@@ -464,7 +486,7 @@ def _require_once(keys):
 def _settings(set):
     _require_once(set or {})
     return [word for key, value in (set or {}).items()
-            for word in ("--set", f"{key}={value if isinstance(value, str) else _value(value)}")]
+            for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value)}"))]
 
 
 def run(scene, set=None, out=None, resume=False, until=None):
@@ -476,8 +498,9 @@ def run(scene, set=None, out=None, resume=False, until=None):
     """
     if resume and not out:
         raise Error("a run is resumed in its directory: give out")
+    settings = _settings(set)  # before there is a directory: it may be wrong
     directory = out or tempfile.mkdtemp(prefix="furrow_run_")
-    options = [*_settings(set), "--resume" if resume else "--out", directory]
+    options = [*settings, "--resume" if resume else "--out", directory]
     options += [] if until is None else ["--until", until]
     try:
         _call_with(scene, ["run"], options, out)
@@ -523,6 +546,8 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
     jobs   runs at once; without it as many as there are processors
     keep_failures  a run that fails is a Member with its error; without this it ends the ensemble
     """
+    if jobs is not None and (not isinstance(jobs, numbers.Integral) or isinstance(jobs, bool) or jobs < 1):
+        raise Error(f"jobs must be a whole number from 1, not {jobs!r}; leave it out for one a processor")
     scene = scene if isinstance(scene, dict) else load(scene)
     packings = len(scene.get("packing", []))
     if seeds is not None and not packings:
@@ -541,7 +566,7 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
         changes |= {key: parameters["seed"] for key in seeded}
         return run(scene, changes, pathlib.Path(out) / f"{index:03d}" if out else None)
 
-    with concurrent.futures.ThreadPoolExecutor(jobs or os.cpu_count()) as pool:
+    with concurrent.futures.ThreadPoolExecutor(int(jobs or os.cpu_count() or 1)) as pool:
         futures = [pool.submit(one, index, parameters) for index, parameters in enumerate(members)]
         try:
             for parameters, future in zip(members, futures):

@@ -43,6 +43,11 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(furrow.Error, "cannot hold a object"):
             furrow.to_toml({"a": object()})
 
+    def test_a_text_that_no_file_holds_is_an_error(self):
+        for scene in ({"title": "a \ud800"}, {"\udc80": 1}, {"a": {"b": ["\udfff"]}}, {"a": [{"\ud800": {"b": 1}}]}):
+            with self.subTest(scene), self.assertRaisesRegex(furrow.Error, "a text that UTF-8 cannot"):
+                furrow.check(scene)
+
     def test_infinity_and_names_with_quotes_survive(self):
         scene = {"title": 'a "b" \\ ü', "x": math.inf}
         self.assertEqual(tomllib.loads(furrow.to_toml(scene)), scene)
@@ -124,6 +129,18 @@ class Runs(unittest.TestCase):
         self.assertEqual((len(fixed), len(free)), (6, 24))
         self.assertEqual(max(abs(v) for v in fixed["vx"]), 0)
 
+    def test_where_compares_names_as_texts(self):
+        columns = {"plate": ["0", "1", "0"], "kind": ["shear"] * 3, "F": [1.0, 2.0, 3.0]}
+        if furrow.numpy:
+            columns = {name: furrow.numpy.array(cells) for name, cells in columns.items()}
+        table = furrow.Table(columns, {"plate": "", "kind": "", "F": "N"})
+        self.assertEqual(list(table.where(plate=0)["F"]), [1, 3])
+        self.assertEqual(list(table.where(plate="1", F=2)["F"]), [2])
+        self.assertEqual(len(table.where(kind="structural")), 0)  # none of that kind is an answer
+        for plate in (2, "tool", 0.0):
+            with self.subTest(plate), self.assertRaisesRegex(furrow.Error, "no plate is named .*; there are '0', '1'"):
+                table.where(plate=plate)
+
     def test_a_wrong_column_names_those_that_there_are(self):
         force = furrow.run(FIRST, SHORT).plate_force
         for name in ("F [kN]", "force"):
@@ -159,6 +176,16 @@ class Runs(unittest.TestCase):
         del run
         self.assertFalse(directory.exists())
 
+    def test_a_call_that_is_wrong_leaves_no_temporary_directory(self):
+        before = tempfile.tempdir
+        self.addCleanup(lambda: setattr(tempfile, "tempdir", before))
+        tempfile.tempdir = str(self.place)
+        for given in ({"time.end": object()}, {"time.end": 0.1, "time.end.": 0.1}, {"title": "\ud800"}, {"title": "a\0"},
+                      {"time.stp": 1}):
+            with self.subTest(given), self.assertRaises(furrow.Error):
+                furrow.run(FIRST, given)
+        self.assertEqual(list(self.place.iterdir()), [])
+
 
 class Broken(unittest.TestCase):
     """Files that are not what a run wrote: one error, which names the file and the row."""
@@ -180,21 +207,10 @@ class Broken(unittest.TestCase):
         file.write_text(change(file.read_text()))
 
     def change_json(self, **fields):
-        """As a program writes it that knows no seal."""
-        kept = {key: value for key, value in json.loads((self.place / "run.json").read_text()).items()
-                if key not in ("files", "seal")}
-        (self.place / "run.json").write_text(json.dumps(kept | fields))
-
-    def seal(self):
-        """As a program writes it that seals its files."""
-        def crc(data):
-            return f"{zlib.crc32(data):08x}"
-
-        names = [str(file.relative_to(self.place)) for file in self.place.rglob("*.csv")] + ["scene.toml"]
-        data = {name: (self.place / name).read_bytes() for name in names}
-        self.change_json(files={name: f"{len(data[name])} {crc(data[name])}" for name in names})
-        text = json.dumps(json.loads((self.place / "run.json").read_text()), indent=2)[:-2]
-        (self.place / "run.json").write_text(f'{text},\n  "seal": "{crc(text.encode())}"\n}}\n')
+        """With other fields, sealed again."""
+        kept = {key: value for key, value in json.loads((self.place / "run.json").read_text()).items() if key != "seal"}
+        text = json.dumps(kept | fields, indent=2)[:-2]
+        (self.place / "run.json").write_text(f'{text},\n  "seal": "{zlib.crc32(text.encode()):08x}"\n}}\n')
 
     def require_error(self, action, *words):
         with self.assertRaises(furrow.Error) as caught:
@@ -297,7 +313,6 @@ class Broken(unittest.TestCase):
                 self.require_error(lambda: furrow.read(self.place).energy, "scene.toml")
 
     def test_a_file_that_is_not_what_run_json_says_is_named(self):
-        self.seal()
         furrow.read(self.place).motion
         for name, change in (("energy.csv", lambda text: text[:-2] + ("1\n" if text[-2] != "1" else "2\n")),
                              ("frames/links_000.csv", lambda text: text.replace("structural", "diagonal", 1)),
@@ -310,6 +325,14 @@ class Broken(unittest.TestCase):
         self.change("run.json", lambda text: text.replace('"links": 117', '"links": 118'))
         self.require_error(lambda: furrow.read(self.place), str(self.place / "run.json"), "its seal differ")
 
+    def test_a_run_json_without_its_seal_is_none(self):
+        whole = json.loads((self.place / "run.json").read_text())
+        bare = {key: value for key, value in whole.items() if key != "seal"}
+        for changed in (bare, bare | {"title": "another"}, whole | {"seal": None}, whole | {"seal": ""}):
+            with self.subTest(changed.get("seal", "none"), title=changed["title"]):
+                (self.place / "run.json").write_text(json.dumps(changed, indent=2) + "\n")
+                self.require_error(lambda: furrow.read(self.place), str(self.place / "run.json"), "seal")
+
     def test_a_run_that_is_under_way_or_was_killed_is_no_run(self):
         self.change(".furrow.json", lambda text: text.replace('"finished"', '"running"'))
         self.require_error(lambda: furrow.read(self.place), "finished, but .furrow.json running")
@@ -321,7 +344,7 @@ class Broken(unittest.TestCase):
         file.rename(part)
         for partial in (False, True):
             self.require_error(lambda: furrow.read(self.place, partial).energy, str(part), "run.json says finished")
-        self.change_json(ended="interrupted", ended_at=0.0504)
+        self.change_json(ended="interrupted", ended_at=0.0504, files={})
         self.change(".furrow.json", lambda text: text.replace('"finished"', '"interrupted"'))
         part.write_text("".join(part.read_text().splitlines(True)[:7]))
         self.require_error(lambda: furrow.read(self.place).energy, str(part), "'interrupted' at 0.0504 s", "partial=True")
@@ -366,6 +389,11 @@ class Ensembles(unittest.TestCase):
                              ("vary has no key seed", {"vary": {"seed": [1, 2]}})):
             with self.subTest(words), self.assertRaisesRegex(furrow.Error, words):
                 list(furrow.ensemble(PACKED, **given))
+
+    def test_jobs_are_a_whole_number_from_1(self):
+        for jobs in (-1, 0, 1.5, "2", True):
+            with self.subTest(jobs), self.assertRaisesRegex(furrow.Error, "jobs must be a whole number from 1"):
+                list(furrow.ensemble(PACKED, seeds=[1], jobs=jobs))
 
     def test_a_key_that_is_set_twice_is_an_error_that_names_both(self):
         def given(keys):

@@ -12,7 +12,9 @@
 namespace furrow::validation {
 namespace {
 
+constexpr const char* kept_runs = "runs.jsonl";
 constexpr std::size_t most_candidates = 5;
+constexpr int most_steps = 8;   // by slopes, from what the search found
 constexpr double apart = 0.02;  // of a range: settings nearer to each other are one
 
 std::vector<Case> cases_of(const std::vector<std::filesystem::path>& files) {
@@ -49,6 +51,15 @@ std::unique_ptr<OwnedDirectory> own_directory(const CalibrationRequest& request,
                                           OwnedDirectory::Earlier::kept);
 }
 
+// What an earlier calibration found is no result of this one, which may end without any. The runs stay.
+void remove_earlier_results(OwnedDirectory& owned, const std::vector<Case>& cases) {
+  owned.keep_only({kept_runs});
+  // Those that are not there yet have an empty directory: it goes too.
+  for (const std::string& file : files_of_calibration(cases)) {
+    if (file != kept_runs) owned.discard(file);
+  }
+}
+
 bool alike(const std::vector<VariedKey>& keys, const Setting& a, const Setting& b) {
   for (std::size_t k = 0; k < keys.size(); ++k) {
     if (keys[k].listed() ? a[k] != b[k] : std::fabs(keys[k].share_of(a[k]) - keys[k].share_of(b[k])) > apart)
@@ -70,7 +81,6 @@ std::vector<Point> few(const std::vector<VariedKey>& keys, const std::vector<Poi
 
 // Of beds a step by slopes would fit the packings that are there.
 void refine(const Evaluator& evaluator, std::vector<Point>& points) {
-  constexpr int most_steps = 4;
   for (int k = 0; k < most_steps; ++k) {
     std::optional<Point> better = stepped(evaluator, points.front(), {0, 1});
     if (!better) return;
@@ -106,8 +116,10 @@ Calibration calibrate(const CalibrationRequest& request) {
   Runs runs(request.directory, request.plan.jobs,
             [&](long made) { return !request.progress || request.progress(static_cast<double>(made), all); });
   const Evaluator evaluator(result.cases, result.keys, result.targets, runs);
+  if (owned) remove_earlier_results(*owned, result.cases);
   const Packings fresh = evaluator.packed() ? Packings{request.plan.packings, request.fresh} : Packings{0, 1};
-  all = static_cast<double>(runs_of(request.plan, evaluator) + runs_to_identify(evaluator, fresh.count) +
+  const int by_slopes = evaluator.packed() ? 0 : most_steps * runs_to_step(evaluator, 1);
+  all = static_cast<double>(runs_of(request.plan, evaluator) + by_slopes + runs_to_identify(evaluator, fresh.count) +
                             static_cast<long>(most_candidates) * evaluator.runs_a_point(fresh.count));
   std::vector<Point> points = search(evaluator, request.plan);
   if (!evaluator.packed()) refine(evaluator, points);

@@ -72,7 +72,8 @@ Json json_of(const Identified& found) {
                                  {"value", k.value},
                                  {"low", k.low.empty() ? Json() : Json(k.low)},
                                  {"high", k.high.empty() ? Json() : Json(k.high)},
-                                 {"at_edge", k.at_edge}});
+                                 {"at_edge", k.at_edge},
+                                 {"arrived", k.arrived}});
   for (const Flat& f : found.flat)
     json["flat"].push_back({{"keys", found.ranged},
                             {"direction", f.direction},

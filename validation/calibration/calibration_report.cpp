@@ -107,13 +107,12 @@ void add_known(Report& report, const Calibration& c) {
         "the intervals are those of its best compromise, not of the truth.");
   if (!found.why_not.empty()) report.text("No intervals: " + found.why_not + ".");
   std::vector<std::vector<Json>> rows;
-  for (const Known& k : found.known)
-    rows.push_back({k.key, k.value, k.low.empty() ? "not identifiable" : k.low + " to " + k.high,
-                    k.at_edge ? "at the end of its range" : ""});
+  for (const Known& k : found.known) rows.push_back({k.key, k.value, interval_of(k), k.at_edge ? at_the_edge : ""});
   if (!rows.empty())
     report.table(
         "95 % intervals by the linear theory of least squares, errors independent and at least as large as the "
-        "tolerances; not identifiable: longer than the range.",
+        "tolerances; not identifiable: longer than the range; not a minimum yet: the step that the slopes ask for is "
+        "longer than an interval.",
         {"key", "best", "95 % interval", "note"}, rows);
   for (const Flat& flat : found.flat) {
     std::string text;
@@ -124,7 +123,13 @@ void add_known(Report& report, const Calibration& c) {
     report.text("Flat direction: together by " + text + ". As far along it as the ranges allow the misfit is " +
                 digits(flat.backward) + " and " + digits(flat.forward) + ", at the best " + digits(flat.misfit) + ".");
   }
-  if (found.flat.empty() && !found.known.empty())
+  const bool all_arrived =
+      std::all_of(found.known.begin(), found.known.end(), [](const Known& known) { return known.arrived; });
+  if (!all_arrived)
+    report.text(
+        "The search has not arrived at a minimum: how well the keys are known is not said. Calibrate with more "
+        "--points.");
+  if (found.flat.empty() && !found.known.empty() && all_arrived)
     report.text("No direction is flat: every key is told from the others.");
 }
 

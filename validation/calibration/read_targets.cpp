@@ -1,67 +1,21 @@
 // Files of targets, strictly: an unknown key, a wrong type or a value out of range is an error.
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
-#include "output/files.h"
 #include "scene/wording.h"
 #include "validation/calibration/judge_targets.h"
+#include "validation/calibration/read_curve.h"
 #include "validation/calibration/says.h"
 #include "validation/calibration/targets.h"
+#include "validation/calibration/targets_file.h"
 #include "validation/page/observables.h"
 
 namespace furrow::validation {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError("cannot read " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-Json json_of(const toml::node& node) {
-  Json json;
-  node.visit([&](const auto& value) {
-    using T = std::decay_t<decltype(value)>;
-    if constexpr (toml::is_table<T>) {
-      json = Json::object();
-      for (const auto& [key, item] : value) json[std::string(key.str())] = json_of(item);
-    } else if constexpr (toml::is_array<T>) {
-      json = Json::array();
-      for (const auto& item : value) json.push_back(json_of(item));
-    } else if constexpr (toml::is_string<T> || toml::is_integer<T> || toml::is_floating_point<T> ||
-                         toml::is_boolean<T>) {
-      json = value.get();
-    } else {
-      json = "a date";
-    }
-  });
-  return json;
-}
-
-Json parsed(const fs::path& file) {
-  const std::string text = text_in(file);
-  if (file.extension() == ".json") {
-    Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw std::invalid_argument(file.string() + ": is no JSON");
-    return json;
-  }
-  try {
-    return json_of(toml::parse(text));
-  } catch (const toml::parse_error& error) {
-    throw std::invalid_argument(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
-                                std::string(error.description()));
-  }
-}
 
 // A table of the file, read key by key; what is left over at the end is unknown.
 class Fields {
@@ -135,56 +89,6 @@ class Fields {
   std::vector<std::string>& faults_;
   std::vector<std::string> known_{};
 };
-
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    const std::size_t first = cell.find_first_not_of(" \t\""), last = cell.find_last_not_of(" \t\r\"");
-    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
-  }
-  return cells;
-}
-
-double cell_number(const std::string& cell, const std::string& where) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(cell, &used);
-    if (used == cell.size() && std::isfinite(value)) return value;
-  } catch (const std::logic_error&) {
-  }
-  throw std::invalid_argument(where + ": must be two numbers, displacement and force, not " + in_quotes(cell));
-}
-
-// A heading says the units: displacement in "[mm]" or "[m]", force in "[N]".
-double millimetres_in(const std::string& heading, const fs::path& file) {
-  const std::vector<std::string> cells = cells_of(heading);
-  const auto has = [&](std::size_t k, const char* unit) { return cells.at(k).find(unit) != std::string::npos; };
-  if (cells.size() == 2 && has(1, "[N]") && (has(0, "[mm]") || has(0, "[m]"))) return has(0, "[mm]") ? 1 : 1e3;
-  throw std::invalid_argument(file.string() + ":1: the heading must name two columns with their units, as in " +
-                              in_quotes("displacement [mm],force [N]") + ", not " + in_quotes(heading));
-}
-
-void read_curve(MeasuredCurve& curve, const fs::path& file) {
-  std::istringstream lines(text_in(file));
-  std::string line;
-  std::getline(lines, line);
-  const double millimetres = millimetres_in(line, file);
-  for (int k = 2; std::getline(lines, line); ++k) {
-    const std::vector<std::string> cells = cells_of(line);
-    if (cells.empty()) continue;
-    const std::string where = file.string() + ":" + std::to_string(k);
-    if (cells.size() != 2)
-      throw std::invalid_argument(where + ": must be two numbers, displacement and force, not " + in_quotes(line));
-    curve.mm.push_back(millimetres * cell_number(cells[0], where));
-    curve.force.push_back(cell_number(cells[1], where));
-    if (curve.mm.back() < 0)
-      throw std::invalid_argument(where + ": the displacement must not be below 0, where the plate starts");
-    if (curve.mm.size() > 1 && !(curve.mm.back() > curve.mm[curve.mm.size() - 2]))
-      throw std::invalid_argument(where + ": the displacement must rise from line to line");
-  }
-  if (curve.mm.size() < 2) throw std::invalid_argument(file.string() + ": fewer than two points");
-}
 
 const std::map<std::string, Relation> relations{{"equals", Relation::equals},
                                                 {"below", Relation::below},
@@ -271,7 +175,7 @@ CalibrationTarget target_of(const Json& table, std::size_t number, const fs::pat
 }  // namespace
 
 Targets read_targets(const fs::path& file, const std::vector<std::string>& scenes) {
-  const Json root = parsed(file);
+  const Json root = json_in(file);
   std::vector<std::string> faults;
   Fields fields(root, file.string(), faults);
   Targets targets;

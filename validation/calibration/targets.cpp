@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "report/seal.h"
 #include "scene/wording.h"
 #include "validation/page/observables.h"
 
@@ -60,6 +61,12 @@ double norm_of(CurveNorm norm, const std::vector<double>& off) {
   return norm == CurveNorm::rms ? std::sqrt(mean) : mean;
 }
 
+std::string hash_of_numbers(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += shortest(number) + " ";
+  return hash_of(text);
+}
+
 }  // namespace
 
 std::string CalibrationTarget::asked() const {
@@ -68,7 +75,7 @@ std::string CalibrationTarget::asked() const {
   if (window) parts.push_back(shortest((*window)[0]) + " to " + shortest((*window)[1]));
   if (curve) {
     parts.push_back(curve->component);
-    for (const double mm : curve->mm) parts.push_back(shortest(mm));
+    parts.push_back(hash_of_numbers(curve->mm));  // the numbers themselves would stand in each kept run
   }
   return joined(parts, " ");
 }

@@ -22,18 +22,21 @@ constexpr std::size_t most_combinations = 10000;
   throw std::invalid_argument("--vary " + what + ": " + why);
 }
 
-// At each `mark` outside of brackets.
+// At each `mark` outside of brackets and quotes.
 std::vector<std::string> split(const std::string& text, char mark) {
   std::vector<std::string> parts{""};
   int depth = 0;
+  bool quoted = false;
   for (const char c : text) {
-    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
-    if (c == mark && depth == 0) {
+    quoted = quoted != (c == '"');
+    if (!quoted) depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == mark && depth == 0 && !quoted) {
       parts.emplace_back();
     } else {
       parts.back() += c;
     }
   }
+  if (quoted) wrong(text, "a quote is opened and not closed; write \" at both ends of a text");
   return parts;
 }
 
