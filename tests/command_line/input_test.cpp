@@ -65,8 +65,9 @@ TEST_F(Input, AnEmptyValueIsRefusedNotTheDefault) {
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out ''", "--out: must not be empty");
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --resume ''", "--resume: must not be empty");
   expect_refusal("run ''", "scene: must not be empty");
-  for (const std::string command : {"study geometry --quick", "ensemble --few", "statements", "report",
-                                    "calibrate " + scene("scenario_1") + " --vary a=1:2 --to t.toml"})
+  const std::string calibrate = "calibrate " + scene("scenario_1") + " --vary a=1:2 --to t.toml";
+  for (const std::string& command : {std::string("study geometry --quick"), std::string("ensemble --few"),
+                                     std::string("statements"), std::string("report"), calibrate})
     expect_refusal(command + " --out ''", "--out: must not be empty");
   expect_refusal("golden --quick --goldens ''", "--goldens: must not be empty");
   expect_refusal("judge --engine true --json ''", "--json: must not be empty");

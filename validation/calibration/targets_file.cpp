@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "output/files.h"
-#include "report/strict_json.h"
+#include "output/strict_json.h"
 #include "scene/toml_text.h"
 
 namespace furrow::validation {
