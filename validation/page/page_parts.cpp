@@ -24,7 +24,7 @@ const std::vector<PagePart>& page_parts() {
       {"paper",
        "What of the paper stands?",
        "Its statements one by one, over many packings of the bed.",
-       {"statements", "ensemble", "geometry", "outlook"}},
+       {"statements", "readings", "ensemble", "geometry", "outlook"}},
       {"made", "How it was made", "By which program, on which machine, and when.", {}}};
   return all;
 }

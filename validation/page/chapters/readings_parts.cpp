@@ -53,6 +53,13 @@ const Finalist& best_finalist(const ReadingsFound& found) {
                            [&](const Finalist& a, const Finalist& b) { return worse_step(a) < worse_step(b); });
 }
 
+std::vector<std::string> others(const ReadingsFound& found, const std::string& out) {
+  std::vector<std::string> in;
+  std::copy_if(found.scenes.begin(), found.scenes.end(), std::back_inserter(in),
+               [&](const std::string& s) { return s != out; });
+  return in;
+}
+
 const std::vector<std::string>& counted_verdicts() {
   static const std::vector<std::string> all{
       "reproduced",  "reproduced in kind", "only at this step", "not reproduced", "contradicted by the paper itself",

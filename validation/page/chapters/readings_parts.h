@@ -21,6 +21,9 @@ Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes
 // The least of the larger of its misfits at the two steps.
 const Finalist& best_finalist(const ReadingsFound& found);
 
+// The scenes of the search but one.
+std::vector<std::string> others(const ReadingsFound& found, const std::string& out);
+
 const std::vector<std::string>& counted_verdicts();
 int count_of(const std::vector<std::string>& verdicts, const std::string& verdict);
 int testable();  // sentences with rows
