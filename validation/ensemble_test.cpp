@@ -49,7 +49,18 @@ Json& result(Json& kept, const std::string& key) {
   throw std::out_of_range(key);
 }
 
-Json& says(Json& kept, const std::string& key) { return result(kept, key)["value"]; }
+// With its names beside its numbers, so that either can be spoilt.
+Json& says(Json& kept, const std::string& key) {
+  Json& one = result(kept, key);
+  if (one.contains("names")) {
+    const Json& names = kept["names"][one["names"].get<std::size_t>()];
+    Json value;
+    for (std::size_t k = 0; k < names.size(); ++k) value[names[k].get<std::string>()] = one["value"][k];
+    one["value"] = std::move(value);
+    one.erase("names");
+  }
+  return one["value"];
+}
 
 void remove(Json& kept, const std::string& group) {
   Json left = Json::array();

@@ -67,7 +67,7 @@ TEST(Evidence, EveryWayToSpoilTheNumbersOfAStudyIsNamed) {
                               {"of another study", [](Json& s) { s["study"] = "order"; }},
                               {"of the quick form", [](Json& s) { s["form"] = "quick"; }},
                               {"no form", [](Json& s) { s.erase("form"); }},
-                              {"of another schema", [](Json& s) { s["schema"] = 2; }},
+                              {"of another schema", [](Json& s) { s["schema"] = 3; }},
                               {"no results", [](Json& s) { s["results"] = Json::array(); }},
                               {"a result that the chapter needs is not there", [](Json& s) { s["results"].erase(1); }},
                               {"two results of one key", [](Json& s) { s["results"].push_back(s["results"][0]); }},
