@@ -1,5 +1,4 @@
-// `furrow export --compare`: what it refuses, and what it judges. The engine's files are made of furrow's own run, and
-// then spoilt.
+// `furrow export --compare`: what it refuses, what it judges. The engine's files are those of furrow's own run, spoilt.
 #include "export.h"
 
 namespace {

@@ -66,6 +66,16 @@ TEST_F(Lammps, AnotherStiffnessIsNoticed) {
   EXPECT_EQ(furrow("export --compare deck --early 1").code, 1) << out();
 }
 
+// Its error is one whatever the step, so that the finer run alone would make an order of it.
+TEST_F(Lammps, ACoarseRunWithoutForcesIsNoAgreement) {
+  ASSERT_EQ(exported_and_compared(impact("slip_damping = false", "restitution = 0.5")), 0) << out();
+  const std::string forces = text("deck/force.1.txt");
+  put("deck/force.1.txt",
+      std::regex_replace(forces, std::regex(R"((\n[-+.e0-9]+)( [-+.e0-9]+ [-+.e0-9]+)+)"), "$1 0 0"));
+  EXPECT_NE(text("deck/force.1.txt"), forces);
+  EXPECT_EQ(furrow("export --compare deck --early 1").code, 1) << out() << err();
+}
+
 // After the first tears an undamped lattice is chaotic.
 TEST_F(Lammps, TearsItsFirstLinksInTheSameSteps) {
   EXPECT_EQ(exported_and_compared(lattice(), "--until 0.12", 0.12), 0) << out();

@@ -277,14 +277,13 @@ Judgement judge_case(const Json& whole, const Engine& engine) {
     const Asked asked = ask(whole, engine, j);
     std::vector<Json> own;
     if (asked.cannot) {
-      j.verdict = CaseVerdict::cannot;
-      j.words = *asked.cannot;
+      j.verdict = CaseVerdict::cannot, j.words = *asked.cannot;
       return j;
     }
     if (whole.contains("view")) {
-      const Asked asked_for_own = ask(case_named(whole["view"]["of"]), engine, j);
-      if (asked_for_own.cannot) throw std::runtime_error("it can do the other view alone: " + *asked_for_own.cannot);
-      own = asked_for_own.answers;
+      const Asked other = ask(case_named(whole["view"]["of"]), engine, j);
+      if (other.cannot) throw std::runtime_error("it can do this view alone: " + *other.cannot);
+      own = other.answers;
     }
     judge_answers(j, whole, asked, own);
     conclude(j);
