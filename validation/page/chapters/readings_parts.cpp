@@ -53,6 +53,25 @@ const Finalist& best_finalist(const ReadingsFound& found) {
                            [&](const Finalist& a, const Finalist& b) { return worse_step(a) < worse_step(b); });
 }
 
+std::string name_of(const Interpretation& reading) {
+  const std::string words = words_of(reading);
+  return words.empty() ? "literal" : words;
+}
+
+std::string name_beside(const Interpretation& reading, const Interpretation& winner) {
+  if (reading == winner) return "the winner";
+  std::vector<std::string> differing;
+  std::ptrdiff_t choices = 0;
+  for (std::size_t k = 0; k < reading.size(); ++k) {
+    const Choice& choice = the_readings().choices[k];
+    choices += reading[k] != 0 ? 1 : 0;
+    if (reading[k] == winner[k]) continue;
+    const std::string& name = choice.alternatives[static_cast<std::size_t>(reading[k])].name;
+    differing.push_back(choice.id + " " + (reading[k] == 0 ? "literal" : name));
+  }
+  return std::ssize(differing) < choices ? "the winner, but " + joined(differing) : name_of(reading);
+}
+
 std::vector<std::string> others(const ReadingsFound& found, const std::string& out) {
   std::vector<std::string> in;
   std::copy_if(found.scenes.begin(), found.scenes.end(), std::back_inserter(in),

@@ -21,6 +21,10 @@ Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes
 // The least of the larger of its misfits at the two steps.
 const Finalist& best_finalist(const ReadingsFound& found);
 
+std::string name_of(const Interpretation& reading);
+// By what it differs in from the winner, if that is said in fewer words.
+std::string name_beside(const Interpretation& reading, const Interpretation& winner);
+
 // The scenes of the search but one.
 std::vector<std::string> others(const ReadingsFound& found, const std::string& out);
 
