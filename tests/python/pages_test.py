@@ -110,6 +110,14 @@ class Pages(unittest.TestCase):
             self.assertEqual(len(said), 1, said)
             self.assertIn(said[0], page)
 
+    def test_the_best_reading_is_that_of_the_search(self):
+        told = subprocess.run([program, "study", "readings", "--words", "--out", source / "reference_data/studies"],
+                              capture_output=True, text=True, check=True).stdout
+        best, literal = re.search(r"^- (\d+ of \d+) \(aim: more than the literal one\): .*; the literal one (\d+)\.$", told, re.MULTILINE).groups()
+        tried = re.search(r"^(\d+ readings) were run", told, re.MULTILINE)[1]
+        self.assertIn(f"Of {tried} of what the paper leaves open the best reproduces {best} sentences, the literal one, which the scene files "
+                      f"have, {literal}.", " ".join((source / "README.md").read_text().split()))
+
     def test_the_drawing_is_that_of_the_includes(self):
         drawn = subprocess.run([source / "scripts/arrows", "--drawing"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(drawn, (source / "src/architecture.svg").read_text(),
