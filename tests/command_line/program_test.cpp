@@ -199,7 +199,7 @@ TEST_F(Program, ThreadsAreForLargeBeds) {
 
 // Of the whole process, as the operating system counts it: the first thread alone has half of that.
 TEST_F(Program, SecondsOfARunOnTwoThreadsAreThoseOfBoth) {
-  put("bed.toml", bed_on_two_threads(9000, "6e-3", "2.2"));
+  put("bed.toml", bed_on_two_threads(9000, "2.4e-2", "2.2"));
 
   const auto used = [] {
     rusage all{};
