@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "output/child.h"
+#include "tests/judge/one_number.h"
 #include "verification/engines/judge.h"
 #include "verification/engines/judgement_files.h"
 
@@ -27,13 +28,6 @@ void expect_failed(const std::string& command, const std::string& words) {
 }
 
 std::string answering(const Json& answer) { return "cat >/dev/null; echo '" + answer.dump() + "'"; }
-
-Json all_observables(const std::string& name, double value) {
-  Json answer{{"engine", "x"}, {"order", 1}, {"observables", Json::object()}};
-  for (const Json& seen : verification::case_named(name)["observe"])
-    answer["observables"][seen["name"].get<std::string>()] = value;
-  return answer;
-}
 
 TEST(Answers, CannotWithoutAWordIsNoLeaveToAnswerOnce) {
   Json answer = all_observables("hertz_wall", 12345);

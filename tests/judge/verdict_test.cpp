@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/interrupt.h"
+#include "tests/judge/one_number.h"
 #include "verification/engines/judge.h"
 #include "verification/engines/judgement_files.h"
 
@@ -103,13 +104,6 @@ Judgement judgement_of_each(const std::string& name, const std::vector<Json>& an
   std::size_t asked = 0;
   return judge_case(verification::case_named(name),
                     [&](const Json&) { return answers[std::min(asked++, answers.size() - 1)]; });
-}
-
-Json all_observables(const std::string& name, double value) {
-  Json answer{{"engine", "x"}, {"order", 2}, {"observables", Json::object()}};
-  for (const Json& seen : verification::case_named(name)["observe"])
-    answer["observables"][seen["name"].get<std::string>()] = value;
-  return answer;
 }
 
 TEST(Judge, AClaimThatIsNoOrderHasFailed) {
