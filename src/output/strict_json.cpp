@@ -30,6 +30,8 @@ Json strict_json(std::string_view text) try {
   });
 } catch (const Json::parse_error& error) {
   throw std::invalid_argument("is no JSON: byte " + std::to_string(error.byte) + " cannot stand there");
+} catch (const Json::out_of_range&) {
+  throw std::invalid_argument("has a number that is too large");
 }
 
 Json json_or_discarded(std::string_view text) try { return strict_json(text); } catch (const std::invalid_argument&) {

@@ -77,6 +77,8 @@ std::string misspelt(const CLI::App& app, int argc, char** argv) {
     if (word == "--") break;
     if (word.starts_with("--") || is_flag(word)) {
       const std::string of = command ? "furrow " + command->get_name() : "furrow";
+      if (word.starts_with("--") && word.find('=') == word.size() - 1)  // CLI11 would take the next word
+        return word.substr(0, word.size() - 1) + ": must not be empty";
       std::string fault = unknown_option(word.substr(0, word.find('=')), of, command ? *command : app);
       if (!fault.empty()) return fault;
     } else if (!command && !word.starts_with('-')) {

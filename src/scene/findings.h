@@ -70,16 +70,20 @@ class Findings {
   bool sound() const { return all_known() && !any_error(); }
   // The same of this path and all below it.
   bool sound(const std::string& path) const {
-    return known(path) && std::none_of(list_.begin(), list_.end(), [&](const Finding& f) {
+    return known(path) && !untold_.touches(path) && std::none_of(list_.begin(), list_.end(), [&](const Finding& f) {
              return !f.warning && (f.path == path || f.path.starts_with(path + '.') || f.path.starts_with(path + '['));
            });
   }
-  // The last one says how many more there are.
+  // And how many more there are.
   std::vector<Finding> list() const {
     std::vector<Finding> all = list_;
     for (const bool warning : {false, true})
       if (more_[warning] > 0)
-        all.push_back({"", "and " + std::to_string(more_[warning]) + " more like these", {}, warning});
+        all.push_back({"",
+                       std::to_string(more_[warning]) + (warning ? " warnings" : " errors") + " more than the " +
+                           std::to_string(most) + " that are told; mend these first",
+                       {},
+                       warning});
     return all;
   }
 
@@ -96,11 +100,11 @@ class Findings {
       list_.push_back(std::move(f));
     } else {
       ++more_[f.warning];
-      if (!f.warning) unread_.add(f.path);
+      if (!f.warning) untold_.add(f.path);
     }
   }
 
-  Unread unread_;
+  Unread unread_, untold_;
   std::vector<Finding> list_;
   long told_[2] = {0, 0}, more_[2] = {0, 0};  // by warning
 };

@@ -260,7 +260,6 @@ class StartJudge {
   }
 
   void judge_wall(std::size_t k) {
-    bool told = false;
     for (std::size_t j = 0; j < k; ++j) {
       const double across = normal_[k].x * normal_[j].y - normal_[k].y * normal_[j].x;
       const bool same_side = normal_[k].x * normal_[j].x + normal_[k].y * normal_[j].y > 0;
@@ -270,9 +269,9 @@ class StartJudge {
       const double size = touch * std::max({std::fabs(p.x), std::fabs(p.y), 1e-3});
       if (std::fabs(distance) <= size)
         return found_.error(item("wall", k), "the same as " + item("wall", j) + ": its stiffness would count twice");
-      if (across == 0 && !told)
-        found_.warning(item("wall", distance < 0 ? k : j), "lies behind " + item("wall", distance < 0 ? j : k));
-      told = told || across == 0;
+      const std::size_t behind = distance < 0 ? k : j;
+      if (across == 0 && hidden_.insert(behind).second)
+        found_.warning(item("wall", behind), "lies behind " + item("wall", behind == k ? j : k));
     }
   }
 
@@ -280,7 +279,8 @@ class StartJudge {
   Allow allow_;
   Findings& found_;
   std::vector<std::unique_ptr<StandingLattice>> lattice_;
-  std::vector<Vec2> normal_;  // of the walls, of length 1
+  std::vector<Vec2> normal_;      // of the walls, of length 1
+  std::set<std::size_t> hidden_;  // walls behind another
   std::array<int, kinds> reported_{};
   long overlaps_ = 0;
   double deepest_ = 0;  // share of a radius

@@ -65,6 +65,9 @@ TEST_F(Input, AnEmptyValueIsRefusedNotTheDefault) {
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out ''", "--out: must not be empty");
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --resume ''", "--resume: must not be empty");
   expect_refusal("run ''", "scene: must not be empty");
+  expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out= --json", "--out: must not be empty");
+  expect_refusal("study need --words --out= --status", "--out: must not be empty");
+  expect_refusal("study --quick= need", "--quick: must not be empty");
   const std::string calibrate = "calibrate " + scene("scenario_1") + " --vary a=1:2 --to t.toml";
   for (const std::string& command : {std::string("study geometry --quick"), std::string("ensemble --few"),
                                      std::string("statements"), std::string("report"), calibrate})

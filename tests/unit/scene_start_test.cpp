@@ -1,6 +1,7 @@
 // Where the parts of a scene stand at its start: what cannot be is refused, what may be meant is warned of.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "tests/unit/scene_text.h"
@@ -99,7 +100,19 @@ TEST(SceneStart, OneMistakeOfManyPartsIsToldTwoHundredTimesAndCounted) {
   });
   ASSERT_EQ(all.size(), 201u);
   EXPECT_EQ(all[199], "wall[200]: the same as wall[0]: its stiffness would count twice");
-  EXPECT_EQ(all.back(), ": and 2800 more like these");
+  EXPECT_EQ(all.back(), ": 2800 errors more than the 200 that are told; mend these first");
+  const Lines plates = problems([](Scene& s) { s.plate.assign(50, plate(3, 0.1)); });
+  EXPECT_NE(plates.back().find(" errors more than"), std::string::npos) << plates.back();
+  EXPECT_GE(std::stol(plates.back().substr(2)), 50 * 49 / 2 - 200);
+}
+
+TEST(SceneStart, WarnsOfEachWallBehindAnotherOnce) {
+  const Lines told = warnings([](Scene& s) {
+    for (const double y : {-1.0, 0.0, -0.5}) s.wall.push_back({.point = {0, y}, .normal = {0, 1}, .material = "soft"});
+    s.wall.erase(s.wall.begin());
+  });
+  for (const char* line : {"wall[0]: lies behind wall[1]", "wall[2]: lies behind wall[1]"})
+    EXPECT_EQ(std::count(told.begin(), told.end(), line), 1) << line;
 }
 
 TEST(SceneStart, WarnsOfPartsThatShareASurfaceOrFeelNothingOfEachOther) {

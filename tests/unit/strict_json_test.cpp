@@ -45,6 +45,12 @@ TEST(StrictJson, WhatIsNoJsonIsRefusedWithItsPlace) {
     EXPECT_EQ(fault_of(text).substr(0, 17), "is no JSON: byte ") << text;
 }
 
+TEST(StrictJson, NumbersThatAreTooLargeAreRefused) {
+  EXPECT_EQ(fault_of("[1e308, -1e308, 1e-400, 123456789012345678901234567890]"), "none");
+  EXPECT_EQ(fault_of("[1e999]"), "has a number that is too large");
+  EXPECT_TRUE(json_or_discarded("{\"a\": -1e999}").is_discarded());
+}
+
 TEST(StrictJson, WithoutAReasonItIsDiscarded) {
   EXPECT_EQ(json_or_discarded("[1]").dump(), "[1]");
   EXPECT_TRUE(json_or_discarded(R"({"a": 1, "a": 1})").is_discarded());
