@@ -220,8 +220,10 @@ def _require_cells(file, line, names, row):
 class Table:
     """Columns of one length, each with a name and a unit ("" if it has none)."""
 
-    def __init__(self, columns, units):
+    def __init__(self, columns, units, parts=None):
         self._columns, self._units = columns, units
+        # The plates and walls that there are: a choice of rows has those of the whole table.
+        self._parts = parts or {n: list(dict.fromkeys(map(str, columns[n]))) for n in ("plate", "wall") if n in columns}
 
     @classmethod
     def from_csv(cls, file):
@@ -266,8 +268,8 @@ class Table:
         """As the cells of that column are: names are texts, those that are numbers too, as plate 0."""
         if self._known(name) not in _WORDS:
             return value
-        text, known = str(value), list(dict.fromkeys(map(str, self[name])))
-        if known and text not in known and name in ("plate", "wall"):  # of a kind or a body there may be none
+        text, known = str(value), self._parts.get(name)
+        if known and text not in known:  # of a kind or a body there may be none
             raise Error(f"no {name} is named {text!r}; there are {', '.join(map(repr, known))}")
         return text
 
@@ -276,7 +278,7 @@ class Table:
         wanted = {name: self._wanted(name, value) for name, value in wanted.items()}
         chosen = [k for k in range(len(self)) if all(self[name][k] == value for name, value in wanted.items())]
         columns = {n: c[chosen] if numpy else [c[k] for k in chosen] for n, c in self._columns.items()}
-        return Table(columns, self._units)
+        return Table(columns, self._units, self._parts)
 
     def to_pandas(self):
         """A DataFrame, its columns with their units as in the file."""

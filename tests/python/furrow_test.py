@@ -136,6 +136,9 @@ class Runs(unittest.TestCase):
         table = furrow.Table(columns, {"plate": "", "kind": "", "F": "N"})
         self.assertEqual(list(table.where(plate=0)["F"]), [1, 3])
         self.assertEqual(list(table.where(plate="1", F=2)["F"]), [2])
+        self.assertEqual(len(table.where(plate="1").where(plate="0")), 0)  # no row, but there is such a plate
+        with self.assertRaises(furrow.Error):
+            table.where(F=99).where(plate="nope")
         self.assertEqual(len(table.where(kind="structural")), 0)  # none of that kind is an answer
         for plate in (2, "tool", 0.0):
             with self.subTest(plate), self.assertRaisesRegex(furrow.Error, "no plate is named .*; there are '0', '1'"):
