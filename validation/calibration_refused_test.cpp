@@ -126,6 +126,12 @@ TEST(CalibrationRefuses, AKeyThatIsVariedTwiceHoweverItIsWritten) {
       {{"contact.friction=0:0.5:log"}, "must lie above 0"},
       {{"contact.friction=0.1:0.10000000001"}, "the same to eight digits"},
       {{"model.gravity=-1e308:1e308"}, "the range is too wide"},
+      {{"title=x,"}, "a value is empty"},
+      {{"title=,x"}, "a value is empty"},
+      {{"title=x,,y"}, "a value is empty"},
+      {{R"(title="a\",b)"}, "a quote is opened and not closed"},
+      {{"title='a,b"}, "a quote is opened and not closed"},
+      {{R"(title="a",'a')"}, "names a value twice"},
       {{"packing[0].seed=1,2"}, "a seed only draws another packing"}};
   for (const auto& [vary, message] : wrong) {
     const std::string error = said_by<std::invalid_argument>([&] { bench.of(near_curve, vary); });
@@ -133,6 +139,11 @@ TEST(CalibrationRefuses, AKeyThatIsVariedTwiceHoweverItIsWritten) {
   }
   EXPECT_EQ(bench.of(near_curve, {"plate[0].velocity.x=0.1,0.11", "plate[0].velocity.y=0,0.01"}).points, 4)
       << "two numbers of one key are two";
+  for (const char* two :
+       {R"(title="a\"b",c)", R"(title='a,b',"c")", R"(title="a,'",'"')", R"(title='a\','b')", R"(title="",x)"}) {
+    const std::string error = said_by([&] { bench.of(near_curve, {two}); });
+    EXPECT_NE(error.find("no key moves any target: 2 settings"), std::string::npos) << two << ": " << error;
+  }
 }
 
 // By the misfit alone the setting that does not get there would be the best.

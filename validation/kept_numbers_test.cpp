@@ -141,27 +141,6 @@ TEST(KeptNumbers, AFileOfSomethingElseIsNotReplaced) {
   EXPECT_THROW(Measurement("s", {.directory = place.path}, sources), FileError);
 }
 
-TEST(KeptNumbers, OfTheSameNamesShareThem) {
-  const std::vector<Json> values{{{"force", 1}, {"why", nullptr}},
-                                 {{"force", 2}, {"why", "late"}},
-                                 {{"why", "other order"}, {"force", 3}},
-                                 {{"failed", "once"}},
-                                 Json::array({1, 2}),
-                                 7};
-  Numbers numbers("s", "full");
-  for (std::size_t k = 0; k < values.size(); ++k)
-    numbers.add({.key = std::to_string(k), .value = values[k]}, this_maker(sources));
-  Json kept = Json::parse(numbers.line());
-  EXPECT_EQ(kept.at("names"), Json::parse(R"([["force", "why"]])"));
-  EXPECT_EQ(kept.at("results").at(1).at("value"), Json::parse(R"([2, "late"])"));
-  const Numbers again = Numbers::of(kept, "s.json");
-  for (std::size_t k = 0; k < values.size(); ++k) EXPECT_EQ(again.at(std::to_string(k)).dump(), values[k].dump());
-  for (const char* spoilt : {R"([["force"]])", R"([["force", "force"]])", "[]", R"({"force": 1})"}) {
-    kept["names"] = Json::parse(spoilt);
-    EXPECT_THROW(Numbers::of(kept, "s.json"), FileError) << spoilt;
-  }
-}
-
 // ---- age ----
 
 TEST(Age, IsOfTheSourcesThatDecide) {

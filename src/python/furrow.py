@@ -145,7 +145,8 @@ def to_toml(scene, _path=""):
 def _call_with(scene, before, after=(), directory=None):
     """The program with a scene between its words; one that is a dict gets a file for the time, named "scene" in messages."""
     if not isinstance(scene, dict):
-        return _call([*before, os.fspath(scene), *after], directory)
+        file = os.fspath(scene)
+        return _call([*before, f"./{file}" if str(file).startswith("-") else file, *after], directory)
     with tempfile.NamedTemporaryFile("w", prefix="scene_", suffix=".toml", encoding="utf-8") as file:
         file.write(to_toml(scene))
         file.flush()
@@ -267,6 +268,8 @@ class Table:
     def _wanted(self, name, value):
         """As the cells of that column are: names are texts, those that are numbers too, as plate 0."""
         if self._known(name) not in _WORDS:
+            if not isinstance(value, numbers.Real):
+                raise Error(f"the column {name!r} holds numbers: give one, not {value!r}")
             return value
         text, known = str(value), self._parts.get(name)
         if known and text not in known:  # of a kind or a body there may be none
@@ -491,6 +494,11 @@ def _settings(set):
             for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value)}"))]
 
 
+def _require_name(out):
+    if out is not None and not os.fspath(out):
+        raise Error("out names no directory: give its name, or leave it out for a temporary one")
+
+
 def run(scene, set=None, out=None, resume=False, until=None):
     """Runs a scene, a file or a dict, and returns its Run.
 
@@ -498,6 +506,7 @@ def run(scene, set=None, out=None, resume=False, until=None):
     out     directory for the files; without it a temporary one, which goes with the Run
     resume  continue the run in `out` from its last checkpoint, `until` this time in s
     """
+    _require_name(out)
     if resume and not out:
         raise Error("a run is resumed in its directory: give out")
     settings = _settings(set)  # before there is a directory: it may be wrong
@@ -550,6 +559,7 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
     """
     if jobs is not None and (not isinstance(jobs, numbers.Integral) or isinstance(jobs, bool) or jobs < 1):
         raise Error(f"jobs must be a whole number from 1, not {jobs!r}; leave it out for one a processor")
+    _require_name(out)
     scene = scene if isinstance(scene, dict) else load(scene)
     packings = len(scene.get("packing", []))
     if seeds is not None and not packings:

@@ -14,12 +14,13 @@
 #include "output/machine.h"
 #include "output/strict_json.h"
 #include "report/seal.h"
+#include "scene/utf8.h"
 #include "scene/wording.h"
 
 namespace furrow {
 namespace {
 
-constexpr int schema = 2;  // of the file; 1 had no lists of names
+constexpr std::size_t schema = 2;  // of the file; 1 had no lists of names
 
 double load_of_the_machine() {
   double load = 0;
@@ -66,9 +67,21 @@ void share_names(Json& result, const std::vector<Names>& shared) {
   result["value"] = std::move(numbers);
 }
 
+// A place in a list, or a schema: 0.7 of it would be read as 0.
+std::size_t whole(const Json& json, const char* what) {
+  if (!json.is_number_unsigned())
+    throw std::out_of_range(std::string(what) + " is no whole number from 0 but " + json.dump());
+  return json;
+}
+
+const Names& at_place(const std::vector<Names>& shared, std::size_t place) {
+  if (place >= shared.size()) throw std::out_of_range("a result has names that are not there");
+  return shared[place];
+}
+
 Json value_of(const Json& result, const std::vector<Names>& shared) {
   if (!result.contains("names")) return result.at("value");
-  const Names& names = shared.at(result.at("names"));
+  const Names& names = at_place(shared, whole(result.at("names"), "a result's names"));
   const Json& numbers = result.at("value");
   Json value = Json::object();
   if (numbers.is_array() && numbers.size() == names.size()) {
@@ -83,7 +96,7 @@ Result result_of(const Json& json, const std::vector<Names>& shared) {
           json.value("input", ""),
           json.value("timed", false),
           json.at("cpu"),
-          json.value("maker", std::size_t{0}),
+          json.contains("maker") ? whole(json.at("maker"), "a result's maker") : 0,
           value_of(json, shared)};
 }
 
@@ -121,6 +134,9 @@ Maker maker_of(const Json& json) {
   json.at("machine").get_to(m.machine);
   json.at("load").get_to(m.load);
   json.at("sources").get_to(m.sources);
+  for (const std::string& text : {m.commit, m.when, m.compiler, m.flags, m.machine}) {
+    if (visible(text) != text) throw std::out_of_range("a maker has characters that cannot be shown: " + visible(text));
+  }
   return m;
 }
 
@@ -162,7 +178,7 @@ Numbers Numbers::read(const std::filesystem::path& file) { return of(read_sealed
 
 Numbers Numbers::of(const Json& kept, const std::filesystem::path& file) {
   try {
-    if (const int its = kept.at("schema"); its < 1 || its > schema)
+    if (const std::size_t its = whole(kept.at("schema"), "schema"); its < 1 || its > schema)
       throw FileError(file.string() + ": is of schema " + std::to_string(its) + ", not " + std::to_string(schema));
     Numbers numbers(kept.at("study"), kept.at("form"));
     std::vector<Maker> makers;

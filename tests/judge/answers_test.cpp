@@ -33,8 +33,24 @@ TEST(Answers, CannotWithoutAWordIsNoLeaveToAnswerOnce) {
   Json answer = all_observables("hertz_wall", 12345);
   answer["cannot"] = "";
   expect_failed(answering(answer), "has cannot, and no word why");
-  answer["cannot"] = 3;
-  expect_failed(answering(answer), "does not follow the protocol");
+  answer["cannot"] = "   ";
+  expect_failed(answering(answer), "has cannot, and no word why");
+}
+
+TEST(Answers, FieldsOfAnotherTypeAreNamed) {
+  const Json right = all_observables("hertz_wall", 12345);
+  for (const char* field : {"engine", "method", "cannot"}) {
+    for (const Json& wrong : {Json(3), Json(true), Json(nullptr), Json::array({"a"}), Json::object()}) {
+      Json answer = right;
+      answer[field] = wrong;
+      expect_failed(answering(answer), "the answer's \"" + std::string(field) + "\" is not a text but " + wrong.dump());
+    }
+  }
+  for (const Json& wrong : {Json(3), Json("x"), Json(nullptr), Json::array({1.0})}) {
+    Json answer = right;
+    answer["observables"] = wrong;
+    expect_failed(answering(answer), "observables are not an object");
+  }
 }
 
 TEST(Answers, OneValueIsJudgedForEachResolutionOrNotAtAll) {

@@ -1,5 +1,6 @@
 """Tests of src/python/furrow.py, against the program that the variable FURROW names. With -S there is no numpy."""
 
+import contextlib
 import csv
 import json
 import math
@@ -143,6 +144,9 @@ class Runs(unittest.TestCase):
         for plate in (2, "tool", 0.0):
             with self.subTest(plate), self.assertRaisesRegex(furrow.Error, "no plate is named .*; there are '0', '1'"):
                 table.where(plate=plate)
+        for number in ("0", "", None, [1]):
+            with self.assertRaisesRegex(furrow.Error, "the column 'F' holds numbers: give one, not "):
+                table.where(F=number)
 
     def test_a_wrong_column_names_those_that_there_are(self):
         force = furrow.run(FIRST, SHORT).plate_force
@@ -157,6 +161,17 @@ class Runs(unittest.TestCase):
         self.assertEqual(caught.exception.directory, self.place / "a")
         self.assertIn(furrow.read(self.place / "a").json["ended"], ("diverged", "invalid"))
         self.assertGreater(len(furrow.read(self.place / "a").motion), 0)
+
+    def test_an_empty_name_of_a_directory_is_an_error(self):
+        for made in (lambda: furrow.run(FIRST, SHORT, out=""), lambda: list(furrow.ensemble(FIRST, out=""))):
+            with self.assertRaisesRegex(furrow.Error, "out names no directory"):
+                made()
+
+    def test_a_file_whose_name_begins_with_a_dash_is_no_option(self):
+        (self.place / "-x.toml").write_bytes(pathlib.Path(FIRST).read_bytes())
+        with contextlib.chdir(self.place):
+            self.assertEqual(furrow.check("-x.toml"), furrow.check(FIRST))
+            self.assertEqual(furrow.run(pathlib.Path("-x.toml"), SHORT).json["ended"], "finished")
 
     def test_a_directory_without_a_run_is_an_error(self):
         with self.assertRaisesRegex(furrow.Error, "there is no run.json in it"):

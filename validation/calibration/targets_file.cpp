@@ -66,7 +66,8 @@ std::string text_in(const fs::path& file) {
 
 Json json_in(const fs::path& file) {
   const std::string text = text_in(file);
-  if (file.extension() != ".json") return toml_in(file, text);
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos || text[begin] != '{') return toml_in(file, text);  // with which no TOML begins
   try {
     return strict_json(text);
   } catch (const std::invalid_argument& fault) {

@@ -22,21 +22,25 @@ constexpr std::size_t most_combinations = 10000;
   throw std::invalid_argument("--vary " + what + ": " + why);
 }
 
-// At each `mark` outside of brackets and quotes.
+// At each `mark` outside of brackets and of TOML's texts: "..." with escapes, '...' without.
 std::vector<std::string> split(const std::string& text, char mark) {
   std::vector<std::string> parts{""};
   int depth = 0;
-  bool quoted = false;
+  char quote = 0;
+  bool escaped = false;
   for (const char c : text) {
-    quoted = quoted != (c == '"');
-    if (!quoted) depth += c == '[' ? 1 : c == ']' ? -1 : 0;
-    if (c == mark && depth == 0 && !quoted) {
+    const bool within = quote != 0;
+    if (!within && (c == '"' || c == '\'')) quote = c;
+    if (within && c == quote && !escaped) quote = 0;
+    escaped = within && quote == '"' && c == '\\' && !escaped;
+    if (!within) depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == mark && depth == 0 && !within) {
       parts.emplace_back();
     } else {
       parts.back() += c;
     }
   }
-  if (quoted) wrong(text, "a quote is opened and not closed; write \" at both ends of a text");
+  if (quote != 0) wrong(text, "a quote is opened and not closed; write it at both ends of a text");
   return parts;
 }
 
@@ -155,6 +159,7 @@ VariedKey VariedKey::of(const std::string& text) {
   key.values = split(values, ',');
   std::set<std::string> different;
   for (const std::string& value : key.values) {
+    if (value.empty()) wrong(text, "a value is empty: there is a comma too many, or a text is missing its quotes");
     if (!different.insert(canonical_value(value)).second) wrong(text, "names a value twice");
   }
   return key;

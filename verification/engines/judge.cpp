@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <stdexcept>
 
 #include "scene/interrupt.h"
 #include "scene/wording.h"
+#include "verification/engines/asked.h"
 
 namespace furrow::verification {
 namespace {
@@ -157,14 +157,6 @@ Json with_defaults(Json seen, const Json& whole) {
   return seen;
 }
 
-double value_of(const Json& answer, const std::string& name) {
-  const Json& all = answer.at("observables");
-  if (!all.contains(name)) throw std::runtime_error("no observable " + in_quotes(name) + " in the answer");
-  const Json& value = all[name];
-  if (!value.is_number() || !std::isfinite(value.get<double>())) throw std::runtime_error(name + " is not a number");
-  return value;
-}
-
 void conclude(Judgement& j) {
   j.verdict = CaseVerdict::right;
   for (const Finding& f : j.findings) {
@@ -173,42 +165,6 @@ void conclude(Judgement& j) {
     j.verdict = f.verdict;
     j.words = f.name + ": " + f.words;
   }
-}
-
-struct Asked {
-  std::vector<Json> answers;          // one a resolution, if it can
-  std::optional<std::string> cannot;  // why
-};
-
-double claimed_order(const Json& answer) {
-  const Json order = answer.value("order", Json(1));
-  if (!order.is_number() || !(order.get<double>() >= 1) || order.get<double>() > 20)
-    throw std::runtime_error("order is not that of a method, a number from 1 to 20");
-  return order;
-}
-
-// An engine that can do a case can do it at every resolution, by one method.
-Asked ask(const Json& whole, const Engine& engine, Judgement& j) {
-  Asked all;
-  for (const int steps : j.steps) {
-    all.answers.push_back(engine(request_of(whole, steps)));
-    const Json& answer = all.answers.back();
-    const bool first = all.answers.size() == 1;
-    j.engine = answer.value("engine", "unnamed");
-    j.method = answer.value("method", "");
-    if (answer.contains("cannot")) {
-      all.cannot = answer["cannot"].get<std::string>();
-      if (all.cannot->empty()) throw std::runtime_error("the answer has cannot, and no word why");
-      if (!first) throw std::runtime_error("it answered, and then could not with shorter steps: " + *all.cannot);
-      return all;
-    }
-    if (!answer.contains("observables")) throw std::runtime_error("the answer has neither observables nor cannot");
-    const double order = claimed_order(answer);
-    if (!first && order != j.claimed)
-      throw std::runtime_error("the order that it claims changes from " + few(j.claimed) + " to " + few(order));
-    j.claimed = order;
-  }
-  return all;
 }
 
 // An engine in which nothing moves would be the same in every view.
