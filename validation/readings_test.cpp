@@ -1,5 +1,5 @@
 // Sentences of the paper, how they are judged, and the search over what it leaves open.
-#include "validation/studies/readings.h"
+#include "validation/studies/reading_search.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "validation/studies/ensemble.h"
 #include "validation/studies/geometry.h"
 #include "validation/studies/outlook.h"
-#include "validation/studies/readings.h"
+#include "validation/studies/reading_search.h"
 #include "validation/studies/statements.h"
 #include "verification/studies/order.h"
 #include "verification/studies/published.h"
@@ -101,7 +101,7 @@ const std::vector<Study>& catalogue() {
        .chapter = statements},
       {.name = "readings",
        .what = "every reading of what the paper leaves open, and every sentence judged",
-       .files = and_observing({"validation/studies/readings.", "validation/studies/sentences.",
+       .files = and_observing({"validation/studies/reading_runs.", "validation/studies/sentences.",
                                "validation/studies/beds.", "validation/page/sentence_observables."}),
        .measure = measure_readings,
        .chapter = readings_of_the_paper},

@@ -1,6 +1,4 @@
 // The paper read again: what its open choices matter, which reading comes closest, and every sentence judged.
-#include "validation/studies/readings.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,18 +6,18 @@
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/names.h"
 #include "validation/page/chapters/readings_parts.h"
+#include "validation/studies/reading_search.h"
 
 namespace furrow::validation {
 namespace {
 
 void add_search(Report& report, const ReadingsFound& found) {
-  const std::size_t exchanged = found.points.size() - 1 - found.alone - found.random;
   report.text(
       std::to_string(found.points.size()) +
       " readings were run at the paper's step with one packing: the literal "
       "one, " +
       std::to_string(found.alone) + " with one choice changed, " + std::to_string(found.random) + " drawn at random, " +
-      std::to_string(exchanged) +
+      std::to_string(found.exchanged) +
       " by exchange of one choice after the other. The misfit of "
       "a reading, 0 to 1, is a root of mean squares over the sentences, each of which counts once; it was stated in "
       "validation/sentences.toml before the search.");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/studies/readings.h"
+#include "validation/studies/reading_search.h"
 
 namespace furrow::validation {
 

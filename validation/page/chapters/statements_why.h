@@ -7,7 +7,7 @@
 #include "report/study.h"
 #include "validation/studies/members.h"
 #include "validation/studies/observed_run.h"
-#include "validation/studies/readings.h"
+#include "validation/studies/reading_search.h"
 
 namespace furrow::validation {
 

@@ -1,0 +1,121 @@
+#include "validation/studies/reading_runs.h"
+
+#include <set>
+
+#include "run/prepare.h"
+#include "scene/read.h"
+#include "scene/wording.h"
+#include "validation/calibration/varied_key.h"
+#include "validation/studies/observed_run.h"
+#include "validation/studies/sentences.h"
+
+namespace furrow::validation {
+namespace {
+
+std::vector<VariedKey> keys_of(const Alternative& alternative) {
+  std::vector<VariedKey> keys;
+  for (const std::string& set : alternative.set) keys.push_back(VariedKey::of(set));
+  return keys;
+}
+
+Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
+  Scene scene = literal_scene(name, packing);
+  for (std::size_t k = 0; k < reading.size(); ++k)
+    scene =
+        read_as(name, std::move(scene), the_readings().choices[k].alternatives[static_cast<std::size_t>(reading[k])]);
+  if (scene.settle && scene.model.disc_mass == DiscMass::sphere) scene.settle->step = 1e-5;  // see paper_scene
+  scene.time.step = step;
+  return scene;
+}
+
+// Of what concerns the scene, so that two readings that make one scene share its run.
+std::string key_of(const std::string& run, const Interpretation& reading, const std::string& name) {
+  Interpretation concerned = reading;
+  for (std::size_t k = 0; k < reading.size(); ++k) {
+    if (!concerns(the_readings().choices[k], name)) concerned[k] = 0;
+  }
+  const std::string words = words_of(concerned);
+  return run + (words.empty() ? "" : ": ") + words;
+}
+
+void refuse_wrong(const Scene& scene) {
+  if (const auto wrong = problems_of(scene); !wrong.empty())
+    throw std::runtime_error(wrong[0].path + ": " + wrong[0].message);
+}
+
+// As `furrow run` watches it.
+Json watched(const Scene& scene) {
+  const RunRecord run = observed_run(prepare(scene), scene.time, Watch::on);
+  return {{"valid", run.finished()},
+          {"reason", run.fact("reason")->texts.at(0)},
+          {"reached", to_digits(run.force.end(), 5)},
+          {"torn", run.torn.size()}};
+}
+
+}  // namespace
+
+bool concerns(const Choice& choice, const std::string& name) {
+  static std::map<std::pair<std::string, std::string>, bool> known;
+  const auto [place, fresh] = known.try_emplace({choice.id, name});
+  if (fresh) {
+    const Scene scene = literal_scene(name, 1);
+    std::set<std::string> made;
+    for (const Alternative& a : choice.alternatives) made.insert(canonical_text(read_as(name, scene, a)));
+    place->second = made.size() > 1;
+  }
+  return place->second;
+}
+
+Scene read_as(const std::string& name, Scene scene, const Alternative& alternative) {
+  Setting setting;
+  const std::vector<VariedKey> keys = keys_of(alternative);
+  for (const VariedKey& key : keys) {
+    setting.push_back(key.values.at(0));
+    if (key.name.starts_with("contact.damping"))
+      scene.contact.damping_factor = scene.contact.damping = {};  // one of them
+  }
+  return scene_with({name, std::move(scene)}, keys, setting, 0);
+}
+
+Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
+  const Scene scene = scene_of(name, reading, step, packing);
+  const std::string run = name + " dt " + shortest(step) + " packing " + std::to_string(packing);
+  return {key_of(run, reading, name),
+          [scene, name] {
+            refuse_wrong(scene);
+            return observed_rows(scene, name);
+          },
+          hash_of_observed_rows(scene, name)};
+}
+
+Task watched_task(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
+  Scene scene = scene_of(name, reading, paper_step, packing);
+  scene.output.energy = true;
+  return {key_of(name + " watched packing " + std::to_string(packing), reading, name),
+          [scene] {
+            refuse_wrong(scene);
+            return watched(scene);
+          },
+          hash_of_scene(scene)};
+}
+
+bool is_valid(const Json& watched) { return watched.value("valid", false); }
+
+std::vector<Untorn> untorn_runs() {
+  std::vector<Untorn> all;
+  for (const double strength : {40.0, 80.0, 160.0, 1e9}) {
+    for (const double step : {1e-4, 5e-5, 2e-5}) all.push_back({strength, step});
+  }
+  return all;
+}
+
+Task task_of(const Untorn& run) {
+  Scene scene = literal_scene("scenario_1", 1);
+  scene.time.step = run.step;
+  scene.output.energy = true;
+  for (Lattice& l : scene.lattice) l.structural.strength = l.shear.strength = l.bending.strength = run.strength;
+  return {"scenario_1 strength " + shortest(run.strength) + " dt " + shortest(run.step),
+          [scene] { return watched(scene); }, hash_of_scene(scene)};
+}
+
+}  // namespace furrow::validation

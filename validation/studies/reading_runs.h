@@ -1,0 +1,32 @@
+// A run of the search: a scene of the paper by a reading, at a step and with a packing.
+#pragma once
+
+#include <cstdint>
+
+#include "report/study.h"
+#include "validation/studies/readings.h"
+
+namespace furrow::validation {
+
+inline constexpr double paper_step = 1e-4;  // s
+
+// A scene of the paper, of this name, with an alternative's keys.
+Scene read_as(const std::string& name, Scene scene, const Alternative& alternative);
+
+bool concerns(const Choice& choice, const std::string& name);  // whether a choice changes the scene at all
+
+// What the scene says of the rows of its sentences. Readings that make one scene have one key.
+Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
+
+// The same at the paper's step, watched as `furrow run` does it: "valid", "reason", "reached" in mm, "torn".
+bool is_valid(const Json& watched);
+Task watched_task(const std::string& name, const Interpretation& reading, std::uint64_t packing);
+
+// Runs of scene 1 whose links never tear, or tear late, watched in the same way.
+struct Untorn {
+  double strength = 0, step = 0;  // N, s
+};
+std::vector<Untorn> untorn_runs();
+Task task_of(const Untorn& run);
+
+}  // namespace furrow::validation

@@ -1,0 +1,48 @@
+// The search of the readings: every choice that the paper leaves open, over its three scenes with one set of choices for
+// all (validation/readings.toml).
+//
+// First each alternative alone, then points drawn at random, then from the best of them pass after pass every
+// alternative of every choice, the best of a choice kept; then the same from the best of those that are valid: whose
+// scenes `furrow run` brings to their ends with what the literal scene files allow, and no more. The best few of all, the
+// best few valid ones and the literal reading are judged again by packings that did not choose them, at the paper's step
+// and at a finer one.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "report/study.h"
+#include "validation/studies/reading_runs.h"
+#include "validation/studies/sentences.h"
+
+namespace furrow::validation {
+
+struct ReadPoint {
+  Interpretation reading;
+  std::map<std::string, Json> said;  // by scene
+  double misfit(const std::vector<std::string>& scenes) const { return misfit_of(said, scenes); }
+};
+
+struct Finalist {
+  Interpretation reading;
+  std::map<std::string, std::vector<Json>> said, finer;  // by scene, packings; at the paper's step and at the finer one
+  std::map<std::string, std::vector<Json>> watched;      // at the paper's step: valid, reason, reached [mm], torn
+  bool valid() const;                                    // in every packing
+};
+
+struct ReadingsFound {
+  std::vector<std::string> scenes;
+  std::vector<ReadPoint> points;  // in the order in which they were tried: literal, alone, at random, exchanged
+  std::size_t alone = 0, random = 0, exchanged = 0;                 // the rest: exchanged from valid ones
+  std::vector<Finalist> finalists;                                  // the literal one first, then the best
+  std::vector<Json> untorn;                                         // by untorn_runs()
+  const ReadPoint& best(const std::vector<std::string>& of) const;  // the least misfit of those scenes
+};
+
+// The search. `run` makes tasks, or knows what they gave. The quick form looks at scene 1 alone.
+using RunTasks = std::function<std::vector<Json>(const std::vector<Task>&)>;
+ReadingsFound search_readings(const RunTasks& run, bool quick);
+
+void measure_readings(Measurement& measurement);
+
+}  // namespace furrow::validation
