@@ -91,6 +91,10 @@ Task task_of(const std::string& name, const Interpretation& reading, double step
 Task watched_task(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
   Scene scene = scene_of(name, reading, paper_step, packing);
   scene.output.energy = true;
+  if (scene.allow) {  // these two end a run where without them there would be a warning: they fit the literal one alone
+    scene.allow->step.reset();
+    if (scene.allow->overlap < 1.0) scene.allow->overlap.reset();
+  }
   return {key_of(name + " watched packing " + std::to_string(packing), reading, name),
           [scene] {
             refuse_wrong(scene);
