@@ -18,17 +18,6 @@ std::vector<VariedKey> keys_of(const Alternative& alternative) {
   return keys;
 }
 
-Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
-  Scene scene = literal_scene(name, packing);
-  for (std::size_t k = 0; k < reading.size(); ++k)
-    scene =
-        read_as(name, std::move(scene), the_readings().choices[k].alternatives[static_cast<std::size_t>(reading[k])]);
-  if (scene.settle && scene.model.disc_mass == DiscMass::sphere) scene.settle->step = 1e-5;  // see paper_scene
-  scene.time.step = step;
-  return scene;
-}
-
-// Of what concerns the scene, so that two readings that make one scene share its run.
 std::string key_of(const std::string& run, const Interpretation& reading, const std::string& name) {
   Interpretation concerned = reading;
   for (std::size_t k = 0; k < reading.size(); ++k) {
@@ -75,6 +64,16 @@ Scene read_as(const std::string& name, Scene scene, const Alternative& alternati
       scene.contact.damping_factor = scene.contact.damping = {};  // one of them
   }
   return scene_with({name, std::move(scene)}, keys, setting, 0);
+}
+
+Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
+  Scene scene = literal_scene(name, packing);
+  for (std::size_t k = 0; k < reading.size(); ++k)
+    scene =
+        read_as(name, std::move(scene), the_readings().choices[k].alternatives[static_cast<std::size_t>(reading[k])]);
+  if (scene.settle && scene.model.disc_mass == DiscMass::sphere) scene.settle->step = 1e-5;  // see paper_scene
+  scene.time.step = step;
+  return scene;
 }
 
 Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {

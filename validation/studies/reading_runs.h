@@ -15,6 +15,8 @@ Scene read_as(const std::string& name, Scene scene, const Alternative& alternati
 
 bool concerns(const Choice& choice, const std::string& name);  // whether a choice changes the scene at all
 
+Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
+
 // What the scene says of the rows of its sentences. Readings that make one scene have one key.
 Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <stdexcept>
 
 namespace furrow::validation {
 namespace {
@@ -49,6 +50,9 @@ class Search {
       const Interpretation before = best_valid();
       exchange(best_valid);
       if (best_valid() == before) break;
+    }
+    for (const std::string& out : found_.scenes) {
+      if (found_.scenes.size() > 1) found_.valid_without[out] = valid_ones(1, found_.others(out)).front();
     }
     judge_finalists();
     found_.untorn = untorn();
@@ -116,21 +120,22 @@ class Search {
     for (std::size_t k = 0; k < the_readings().choices.size(); ++k) try_all(changed_in(from(), k));
   }
 
-  // From the least misfit on.
-  std::vector<Interpretation> in_order() const {
+  // From the least misfit of those scenes on.
+  std::vector<Interpretation> in_order(const std::vector<std::string>& scenes) const {
     std::vector<std::pair<double, const ReadPoint*>> order;
-    for (const ReadPoint& point : found_.points) order.emplace_back(point.misfit(found_.scenes), &point);
+    for (const ReadPoint& point : found_.points) order.emplace_back(point.misfit(scenes), &point);
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Interpretation> all;
     for (const auto& [misfit, point] : order) all.push_back(point->reading);
     return all;
   }
 
-  // The best that are valid. The literal one is, so there is one at least.
-  std::vector<Interpretation> valid_ones(std::size_t count) {
+  // Those of the least misfit that are valid in all scenes. The literal one is, so there is one at least.
+  std::vector<Interpretation> valid_ones(std::size_t count) { return valid_ones(count, found_.scenes); }
+  std::vector<Interpretation> valid_ones(std::size_t count, const std::vector<std::string>& scenes) {
     constexpr std::size_t at_a_time = 8;
     std::vector<Interpretation> valid;
-    const std::vector<Interpretation> order = in_order();
+    const std::vector<Interpretation> order = in_order(scenes);
     for (std::size_t begin = 0; begin < order.size() && valid.size() < count; begin += at_a_time) {
       const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin);
       const std::vector<Interpretation> some(first, first + std::min<std::ptrdiff_t>(at_a_time, order.end() - first));
@@ -160,7 +165,7 @@ class Search {
         if (best.size() < full && std::find(best.begin(), best.end(), reading) == best.end()) best.push_back(reading);
       }
     };
-    add(in_order());
+    add(in_order(found_.scenes));
     add(valid_ones(2 * half + 1));
     return best;
   }
@@ -211,9 +216,23 @@ class Search {
 
 }  // namespace
 
-bool Finalist::valid() const {
-  return std::all_of(watched.begin(), watched.end(),
-                     [](const auto& scene) { return std::all_of(scene.second.begin(), scene.second.end(), is_valid); });
+int Finalist::valid_runs() const {
+  std::ptrdiff_t count = 0;
+  for (const auto& [scene, runs] : watched) count += std::count_if(runs.begin(), runs.end(), is_valid);
+  return static_cast<int>(count);
+}
+
+const ReadPoint& ReadingsFound::at(const Interpretation& reading) const {
+  const auto found =
+      std::find_if(points.begin(), points.end(), [&](const ReadPoint& p) { return p.reading == reading; });
+  if (found == points.end()) throw std::out_of_range("the search did not try " + words_of(reading));
+  return *found;
+}
+
+std::vector<std::string> ReadingsFound::others(const std::string& out) const {
+  std::vector<std::string> in;
+  std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(in), [&](const std::string& s) { return s != out; });
+  return in;
 }
 
 const ReadPoint& ReadingsFound::best(const std::vector<std::string>& of) const {

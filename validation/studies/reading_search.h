@@ -27,7 +27,7 @@ struct Finalist {
   Interpretation reading;
   std::map<std::string, std::vector<Json>> said, finer;  // by scene, packings; at the paper's step and at the finer one
   std::map<std::string, std::vector<Json>> watched;      // at the paper's step: valid, reason, reached [mm], torn
-  bool valid() const;                                    // in every packing
+  int valid_runs() const;                                // of the watched ones
 };
 
 struct ReadingsFound {
@@ -35,8 +35,11 @@ struct ReadingsFound {
   std::vector<ReadPoint> points;  // in the order in which they were tried: literal, alone, at random, exchanged
   std::size_t alone = 0, random = 0, exchanged = 0;                 // the rest: exchanged from valid ones
   std::vector<Finalist> finalists;                                  // the literal one first, then the best
+  std::map<std::string, Interpretation> valid_without;              // by scene: the best valid one of the others
   std::vector<Json> untorn;                                         // by untorn_runs()
   const ReadPoint& best(const std::vector<std::string>& of) const;  // the least misfit of those scenes
+  const ReadPoint& at(const Interpretation& reading) const;
+  std::vector<std::string> others(const std::string& out) const;  // the scenes but one
 };
 
 // The search. `run` makes tasks, or knows what they gave. The quick form looks at scene 1 alone.

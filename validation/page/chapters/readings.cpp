@@ -60,7 +60,7 @@ void claim_default(Report& report, const ReadingsFound& found, const Judgement& 
   if (found.scenes.size() < 3) return;
   int held_out = 0;
   for (const std::string& out : found.scenes)
-    held_out += found.best(others(found, out)).misfit({out}) < found.points.front().misfit({out}) ? 1 : 0;
+    held_out += found.best(found.others(out)).misfit({out}) < found.points.front().misfit({out}) ? 1 : 0;
   const bool wins = winner.misfit < literal.misfit && winner.finer_misfit < literal.finer_misfit &&
                     held_out == std::ssize(found.scenes);
   const auto beside = [](double ours, double of_literal) {
@@ -83,7 +83,7 @@ void add_held_out(Report& report, const ReadingsFound& found) {
   if (found.scenes.size() < 3) return;
   std::vector<std::vector<Json>> rows;
   for (const std::string& out : found.scenes) {
-    const std::vector<std::string> in = others(found, out);
+    const std::vector<std::string> in = found.others(out);
     const ReadPoint &best = found.best(in), &literal = found.points.front();
     rows.push_back({scene_words(out), name_beside(best.reading, best_finalist(found).reading), rows_near(best, in),
                     rows_near(literal, in), rows_near(best, {out}), rows_near(literal, {out}), best.misfit({out}),

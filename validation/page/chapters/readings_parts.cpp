@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/files.h"
+#include "scene/read.h"
 #include "scene/wording.h"
 #include "validation/studies/observed_run.h"
 
@@ -23,6 +24,16 @@ double mean_misfit(const Packings& said, const std::vector<std::string>& scenes)
     sum += misfit_of(one, scenes);
   }
   return sum / static_cast<double>(packings);
+}
+
+const Finalist& best_of(const ReadingsFound& found, int valid_runs) {
+  const Finalist* best = nullptr;
+  double least = infinity;
+  for (const Finalist& f : found.finalists) {
+    const double worse_step = std::max(mean_misfit(f.said, found.scenes), mean_misfit(f.finer, found.scenes));
+    if (f.valid_runs() >= valid_runs && worse_step < least) best = &f, least = worse_step;
+  }
+  return *best;
 }
 
 bool among(const std::vector<std::string>& scenes, const std::string& scene) {
@@ -45,12 +56,28 @@ Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes
   return judged;
 }
 
-const Finalist& best_finalist(const ReadingsFound& found) {
-  const auto worse_step = [&](const Finalist& f) {
-    return std::max(mean_misfit(f.said, found.scenes), mean_misfit(f.finer, found.scenes));
+const Finalist& best_finalist(const ReadingsFound& found) { return best_of(found, 0); }
+
+const Finalist& best_valid_finalist(const ReadingsFound& found) {
+  return best_of(found, found.finalists.front().valid_runs());
+}
+
+int watched_runs(const ReadingsFound& found) {
+  std::size_t count = 0;
+  for (const auto& [scene, runs] : found.finalists.front().watched) count += runs.size();
+  return static_cast<int>(count);
+}
+
+bool is_of_the_scene_files(const Interpretation& reading, const std::vector<std::string>& scenes) {
+  const auto bare = [](Scene scene) {
+    scene.title.clear();
+    scene.allow.reset();
+    scene.output = {};
+    return canonical_text(scene);
   };
-  return *std::min_element(found.finalists.begin(), found.finalists.end(),
-                           [&](const Finalist& a, const Finalist& b) { return worse_step(a) < worse_step(b); });
+  return std::all_of(scenes.begin(), scenes.end(), [&](const std::string& name) {
+    return bare(scene_of(name, reading, paper_step, 1)) == bare(scene_named(name));
+  });
 }
 
 std::string name_of(const Interpretation& reading) {
@@ -70,13 +97,6 @@ std::string name_beside(const Interpretation& reading, const Interpretation& win
     differing.push_back(choice.id + " " + (reading[k] == 0 ? "literal" : name));
   }
   return std::ssize(differing) < choices ? "the winner, but " + joined(differing) : name_of(reading);
-}
-
-std::vector<std::string> others(const ReadingsFound& found, const std::string& out) {
-  std::vector<std::string> in;
-  std::copy_if(found.scenes.begin(), found.scenes.end(), std::back_inserter(in),
-               [&](const std::string& s) { return s != out; });
-  return in;
 }
 
 const std::vector<std::string>& counted_verdicts() {

@@ -18,15 +18,18 @@ struct Judgement {
 
 Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes);
 
-// The least of the larger of its misfits at the two steps.
+// The least of the larger of its misfits at the two steps: of all finalists, and of those of which `furrow run` ends no
+// more runs than of the literal reading.
 const Finalist& best_finalist(const ReadingsFound& found);
+const Finalist& best_valid_finalist(const ReadingsFound& found);
+int watched_runs(const ReadingsFound& found);  // of each finalist
+
+// Whether the scene files say the same as that reading, titles, allowances and outputs aside.
+bool is_of_the_scene_files(const Interpretation& reading, const std::vector<std::string>& scenes);
 
 std::string name_of(const Interpretation& reading);
 // By what it differs in from the winner, if that is said in fewer words.
 std::string name_beside(const Interpretation& reading, const Interpretation& winner);
-
-// The scenes of the search but one.
-std::vector<std::string> others(const ReadingsFound& found, const std::string& out);
 
 const std::vector<std::string>& counted_verdicts();
 int count_of(const std::vector<std::string>& verdicts, const std::string& verdict);
