@@ -1,6 +1,4 @@
 // Sentences of the paper, how they are judged, and the search over what it leaves open.
-#include "validation/studies/reading_search.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,23 +7,24 @@
 #include "run/prepare.h"
 #include "scene/read.h"
 #include "validation/calibration/varied_key.h"
+#include "validation/page/chapters/readings_parts.h"
 #include "validation/page/sentence_observables.h"
 #include "validation/studies/observed_run.h"
+#include "validation/studies/reading_search.h"
 
 namespace furrow::validation {
 namespace {
 
 Scene applied(const std::string& scene, const Alternative& alternative) {
-  return read_as(scene, paper_scene(scene, Reading::disc, 1), alternative);
+  return read_as(scene, literal_scene(scene, 1), alternative);
 }
 
 const std::vector<std::string> scenes{"scenario_1", "scenario_2", "scenario_3"};
 
-TEST(Readings, FirstAlternativesAreWhatTheSceneFilesSay) {
+TEST(Readings, FirstAlternativesAreWhatTheLiteralSceneFilesSay) {
   for (const Choice& choice : the_readings().choices) {
     for (const std::string& scene : scenes)
-      EXPECT_EQ(canonical_text(applied(scene, choice.alternatives.front())),
-                canonical_text(paper_scene(scene, Reading::disc, 1)))
+      EXPECT_EQ(canonical_text(applied(scene, choice.alternatives.front())), canonical_text(literal_scene(scene, 1)))
           << choice.id << " in " << scene;
   }
 }
@@ -36,7 +35,7 @@ TEST(Readings, EveryOtherAlternativeChangesASceneIntoOneThatCanBeRun) {
       int changed = 0;
       for (const std::string& scene : scenes) {
         const Scene made = applied(scene, choice.alternatives[a]);
-        changed += canonical_text(made) != canonical_text(paper_scene(scene, Reading::disc, 1)) ? 1 : 0;
+        changed += canonical_text(made) != canonical_text(literal_scene(scene, 1)) ? 1 : 0;
         EXPECT_TRUE(problems_of(made).empty()) << choice.id << ", " << choice.alternatives[a].name << " in " << scene;
       }
       EXPECT_GT(changed, 0) << choice.id << ", " << choice.alternatives[a].name;
@@ -113,31 +112,64 @@ TEST(SentenceVerdict, SaysWhereThePaperContradictsItself) {
   EXPECT_EQ(sentence_verdict({"", "", "split_in_figure_8d", "", {"early_maxima"}}, verdicts), "reproduced");
 }
 
-// A made-up world in which one alternative alone brings a row, whatever else is chosen.
-TEST(Search, ExchangesItsWayToWhatBringsARow) {
-  std::size_t made = 0;
-  const ReadingsFound found = search_readings(
+// A made-up world in which some alternatives alone bring a row each, whatever else is chosen, one of them to runs that
+// furrow run would end.
+ReadingsFound search_in_the_made_up_world(std::size_t& made) {
+  return search_readings(
       [&](const std::vector<Task>& tasks) {
         std::vector<Json> results;
         for (const Task& task : tasks) {
+          const auto with = [&](const char* words) { return task.key.find(words) != std::string::npos; };
           Json said = Json::object();
-          if (task.key.find("box 0.54 m") != std::string::npos) said["largest_force_discs"] = 341.0;
-          if (task.key.find("damper whole velocity") != std::string::npos) said["first_impact"] = 238.0;
+          if (with("box 0.54 m")) said["largest_force_discs"] = 341.0;
+          if (with("damper whole velocity")) said["first_impact"] = 238.0;
+          if (with("faces the nearest")) said["first_tear"] = 333.0;
+          if (with(" watched ") || with("strength")) said = {{"valid", !with("faces the nearest")}};
           results.push_back(said);
         }
         made += tasks.size();
         return results;
       },
       false);
+}
+
+TEST(Search, ExchangesItsWayToWhatBringsARow) {
+  std::size_t made = 0;
+  const ReadingsFound found = search_in_the_made_up_world(made);
   const std::string best = words_of(found.best(scenes).reading);
-  EXPECT_NE(best.find("box 0.54 m"), std::string::npos) << best;
-  EXPECT_NE(best.find("damper whole velocity"), std::string::npos) << best;
+  for (const char* words : {"box 0.54 m", "damper whole velocity", "faces the nearest"})
+    EXPECT_NE(best.find(words), std::string::npos) << best;
   EXPECT_EQ(found.finalists.front().reading, Interpretation(the_readings().choices.size(), 0)) << "the literal one";
+  EXPECT_EQ(found.finalists.size(), 1 + static_cast<std::size_t>(the_readings().finalists));
   EXPECT_EQ(found.random, static_cast<std::size_t>(the_readings().random));
-  EXPECT_LT(made, 3 * found.points.size() +
-                      6 * found.finalists.size() * static_cast<std::size_t>(the_readings().packings) +
+  EXPECT_LT(made, 6 * found.points.size() +
+                      9 * found.finalists.size() * static_cast<std::size_t>(the_readings().packings) +
                       untorn_runs().size())
       << "readings that make one scene share its run";
+}
+
+TEST(Search, GoesOnFromTheBestThatIsValid) {
+  std::size_t made = 0;
+  const ReadingsFound found = search_in_the_made_up_world(made);
+  const std::string winner = words_of(best_valid_finalist(found).reading),
+                    best = words_of(best_finalist(found).reading);
+  EXPECT_NE(best.find("faces the nearest"), std::string::npos) << best;
+  EXPECT_EQ(winner.find("faces the nearest"), std::string::npos) << winner;
+  for (const char* words : {"box 0.54 m", "damper whole velocity"})
+    EXPECT_NE(winner.find(words), std::string::npos) << winner;
+  for (const auto& [out, reading] : found.valid_without)
+    EXPECT_EQ(words_of(reading).find("faces the nearest"), std::string::npos) << out;
+  EXPECT_EQ(found.valid_without.size(), scenes.size());
+}
+
+TEST(Readings, TheRuleIsAskedOfTheSceneFilesThemselves) {
+  const Interpretation literal(the_readings().choices.size(), 0);
+  EXPECT_TRUE(is_of_the_scene_files(literal, scenes));
+  for (std::size_t k = 0; k < literal.size(); ++k) {
+    Interpretation other = literal;
+    other[k] = 1;
+    EXPECT_FALSE(is_of_the_scene_files(other, scenes)) << the_readings().choices[k].id;
+  }
 }
 
 RunRecord record(const std::vector<std::array<double, 3>>& mm_fx_fy) {

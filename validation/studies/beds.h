@@ -24,14 +24,6 @@ inline Scene paper_scene(const std::string& name, Reading reading, std::uint64_t
   return scene;
 }
 
-// The scene read by the letter, from which the search of the readings begins.
-inline Scene literal_scene(const std::string& name, std::uint64_t seed) {
-  Scene scene = scene_named("literal/" + name);
-  scene.output.energy = false;
-  for (Packing& p : scene.packing) p.seed = seed;
-  return scene;
-}
-
 class Beds {
  public:
   // A copy to run. Throws what `prepare` throws, every time again.

@@ -18,7 +18,7 @@ std::vector<VariedKey> keys_of(const Alternative& alternative) {
   return keys;
 }
 
-std::string key_of(const std::string& run, const Interpretation& reading, const std::string& name) {
+std::string with_words(const std::string& run, const Interpretation& reading, const std::string& name) {
   Interpretation concerned = reading;
   for (std::size_t k = 0; k < reading.size(); ++k) {
     if (!concerns(the_readings().choices[k], name)) concerned[k] = 0;
@@ -42,6 +42,16 @@ Json watched(const Scene& scene) {
 }
 
 }  // namespace
+
+Scene literal_scene(const std::string& name, std::uint64_t packing) {
+  static std::map<std::string, Scene> known;  // to read a file and to judge it takes longer than all else here
+  const auto [place, fresh] = known.try_emplace(name);
+  if (fresh) place->second = scene_named("literal/" + name);
+  Scene scene = place->second;
+  scene.output.energy = false;
+  for (Packing& p : scene.packing) p.seed = packing;
+  return scene;
+}
 
 bool concerns(const Choice& choice, const std::string& name) {
   static std::map<std::pair<std::string, std::string>, bool> known;
@@ -76,15 +86,22 @@ Scene scene_of(const std::string& name, const Interpretation& reading, double st
   return scene;
 }
 
+std::string key_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
+  return with_words(name + " dt " + shortest(step) + " packing " + std::to_string(packing), reading, name);
+}
+
 Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
   const Scene scene = scene_of(name, reading, step, packing);
-  const std::string run = name + " dt " + shortest(step) + " packing " + std::to_string(packing);
-  return {key_of(run, reading, name),
+  return {key_of(name, reading, step, packing),
           [scene, name] {
             refuse_wrong(scene);
             return observed_rows(scene, name);
           },
           hash_of_observed_rows(scene, name)};
+}
+
+std::string watched_key(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
+  return with_words(name + " watched packing " + std::to_string(packing), reading, name);
 }
 
 Task watched_task(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
@@ -94,7 +111,7 @@ Task watched_task(const std::string& name, const Interpretation& reading, std::u
     scene.allow->step.reset();
     if (scene.allow->overlap < 1.0) scene.allow->overlap.reset();
   }
-  return {key_of(name + " watched packing " + std::to_string(packing), reading, name),
+  return {watched_key(name, reading, packing),
           [scene] {
             refuse_wrong(scene);
             return watched(scene);

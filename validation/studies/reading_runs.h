@@ -10,7 +10,10 @@ namespace furrow::validation {
 
 inline constexpr double paper_step = 1e-4;  // s
 
-// A scene of the paper, of this name, with an alternative's keys.
+// A scene of the paper, of this name, read by the letter, from which the search begins; without ledger.
+Scene literal_scene(const std::string& name, std::uint64_t packing);
+
+// The same with an alternative's keys.
 Scene read_as(const std::string& name, Scene scene, const Alternative& alternative);
 
 bool concerns(const Choice& choice, const std::string& name);  // whether a choice changes the scene at all
@@ -18,10 +21,12 @@ bool concerns(const Choice& choice, const std::string& name);  // whether a choi
 Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
 
 // What the scene says of the rows of its sentences. Readings that make one scene have one key.
+std::string key_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
 Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
 
 // The same at the paper's step, watched as `furrow run` does it: "valid", "reason", "reached" in mm, "torn".
 bool is_valid(const Json& watched);
+std::string watched_key(const std::string& name, const Interpretation& reading, std::uint64_t packing);
 Task watched_task(const std::string& name, const Interpretation& reading, std::uint64_t packing);
 
 // Runs of scene 1 whose links never tear, or tear late, watched in the same way.

@@ -21,7 +21,8 @@ class Once {
     const std::vector<Json> results = run_(wanted);
     for (std::size_t k = 0; k < wanted.size(); ++k) known_[wanted[k].key] = results[k];
   }
-  const Json& of(const Task& task) const { return known_.at(task.key); }
+  bool knows(const std::string& key) const { return known_.contains(key); }
+  const Json& of(const std::string& key) const { return known_.at(key); }
 
  private:
   const RunTasks& run_;
@@ -63,14 +64,18 @@ class Search {
   void try_all(const std::vector<Interpretation>& readings) {
     std::vector<Task> tasks;
     for (const Interpretation& reading : readings) {
-      for (const std::string& scene : found_.scenes) tasks.push_back(task_of(scene, reading, paper_step, 1));
+      if (tried_.contains(reading)) continue;
+      for (const std::string& scene : found_.scenes) {
+        if (!once_.knows(key_of(scene, reading, paper_step, 1)))
+          tasks.push_back(task_of(scene, reading, paper_step, 1));
+      }
     }
     once_.make(tasks);
     for (const Interpretation& reading : readings) {
       if (!tried_.insert(reading).second) continue;
       ReadPoint point{reading, {}};
       for (const std::string& scene : found_.scenes)
-        point.said[scene] = once_.of(task_of(scene, reading, paper_step, 1));
+        point.said[scene] = once_.of(key_of(scene, reading, paper_step, 1));
       found_.points.push_back(std::move(point));
     }
   }
@@ -141,12 +146,14 @@ class Search {
       const std::vector<Interpretation> some(first, first + std::min<std::ptrdiff_t>(at_a_time, order.end() - first));
       std::vector<Task> tasks;
       for (const Interpretation& reading : some) {
-        for (const std::string& scene : found_.scenes) tasks.push_back(watched_task(scene, reading, 1));
+        for (const std::string& scene : found_.scenes) {
+          if (!once_.knows(watched_key(scene, reading, 1))) tasks.push_back(watched_task(scene, reading, 1));
+        }
       }
       once_.make(tasks);
       for (const Interpretation& reading : some) {
         const bool all = std::all_of(found_.scenes.begin(), found_.scenes.end(), [&](const std::string& scene) {
-          return is_valid(once_.of(watched_task(scene, reading, 1)));
+          return is_valid(once_.of(watched_key(scene, reading, 1)));
         });
         if (all && valid.size() < count) valid.push_back(reading);
       }
@@ -172,9 +179,7 @@ class Search {
 
   void judge_finalists() {
     const std::uint64_t packings = quick_ ? 1 : static_cast<std::uint64_t>(the_readings().packings);
-    const auto task = [](const std::string& scene, const Interpretation& reading, bool fine, std::uint64_t p) {
-      return task_of(scene, reading, fine ? the_readings().fine_step : paper_step, 2 + p);
-    };
+    const auto step = [](bool fine) { return fine ? the_readings().fine_step : paper_step; };
     std::vector<Task> tasks;
     const std::vector<Interpretation> best = finalists();
     const auto each = [&](const auto& what) {
@@ -187,15 +192,15 @@ class Search {
       }
     };
     each([&](const Interpretation& r, const std::string& s, bool fine, std::uint64_t p) {
-      tasks.push_back(task(s, r, fine, p));
+      tasks.push_back(task_of(s, r, step(fine), 2 + p));
       if (!fine) tasks.push_back(watched_task(s, r, 2 + p));
     });
     once_.make(tasks);
     each([&](const Interpretation& r, const std::string& s, bool fine, std::uint64_t p) {
       if (found_.finalists.empty() || found_.finalists.back().reading != r) found_.finalists.push_back({r, {}, {}, {}});
       Finalist& finalist = found_.finalists.back();
-      (fine ? finalist.finer : finalist.said)[s].push_back(once_.of(task(s, r, fine, p)));
-      if (!fine) finalist.watched[s].push_back(once_.of(watched_task(s, r, 2 + p)));
+      (fine ? finalist.finer : finalist.said)[s].push_back(once_.of(key_of(s, r, step(fine), 2 + p)));
+      if (!fine) finalist.watched[s].push_back(once_.of(watched_key(s, r, 2 + p)));
     });
   }
 
@@ -204,7 +209,7 @@ class Search {
     for (const Untorn& u : untorn_runs()) tasks.push_back(task_of(u));
     once_.make(tasks);
     std::vector<Json> results;
-    for (const Task& task : tasks) results.push_back(once_.of(task));
+    for (const Task& task : tasks) results.push_back(once_.of(task.key));
     return results;
   }
 

@@ -102,7 +102,7 @@ const std::vector<Study>& catalogue() {
       {.name = "readings",
        .what = "every reading of what the paper leaves open, and every sentence judged",
        .files = and_observing({"validation/studies/reading_runs.", "validation/studies/sentences.",
-                               "validation/studies/beds.", "validation/page/sentence_observables."}),
+                               "validation/page/sentence_observables."}),
        .measure = measure_readings,
        .chapter = readings_of_the_paper},
       {.name = "outlook",

@@ -38,6 +38,11 @@ int testable();  // sentences with rows
 // Rows of those scenes whose misfit is below one half: a number within a tenth, a limit that is nearly kept.
 int rows_near(const ReadPoint& point, const std::vector<std::string>& scenes);
 
+// Sections of the chapter: every sentence, what is not reached, scene 1 without tears.
+void add_sentences(Report& report, const ReadingsFound& found);
+void add_trade_offs(Report& report, const ReadingsFound& found);
+void add_untorn(Report& report, const ReadingsFound& found);
+
 std::string wanted_of(const Statement& row);
 std::string said_in(const Json& said, const std::string& id);
 std::string said_of(const Finalist& finalist, const std::string& id);  // median with its unit, or words
