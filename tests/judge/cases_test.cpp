@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "methods/method.h"
@@ -32,7 +33,17 @@ TEST(Cases, ValuesOfTheFilesAreThoseOfTheOracles) {
   for (const std::string& name : case_names()) {
     const Json whole = case_named(name);
     if (whole.contains("view")) continue;
-    for (const auto& [observable, expected] : verification::expected_of(whole)) {
+    const std::map<std::string, double> all = verification::expected_of(whole);
+    for (const Json& seen : whole["observe"]) {
+      if (!all.contains(verification::low_of(seen["name"]))) continue;
+      const double ends[] = {all.at(verification::low_of(seen["name"])), all.at(verification::high_of(seen["name"]))};
+      EXPECT_GT(ends[1], ends[0]) << name;
+      for (const int k : {0, 1})
+        EXPECT_NEAR(seen["interval"][k].get<double>(), ends[k], 6e-6 * std::fabs(ends[k]))
+            << name << ": " << seen["name"];
+      ++compared;
+    }
+    for (const auto& [observable, expected] : all) {
       for (const Json& seen : whole["observe"]) {
         if (seen["name"] != observable) continue;
         EXPECT_NEAR(seen["value"].get<double>(), expected, 6e-12 * std::fabs(expected)) << name << ": " << observable;

@@ -34,6 +34,46 @@ Expected rolling_down(const Json& c) {
   return all;
 }
 
+// It slides from the start; its friction is at the limit.
+Expected sliding_down(const Json& c) {
+  const Json& b = c["body"][0];
+  const Vec n = vec(c["wall"][0]["normal"]);
+  const double push = c["contact"]["friction"].get<double>() * weight(c) * n[1], t = c["end"];  // m/s^2
+  const double start = std::hypot(b["velocity"][0].get<double>(), b["velocity"][1].get<double>());
+  Expected all;
+  fill(all, c, [&](const Json& seen) {
+    return seen["what"] == "spin" ? push * t / (c_of(b) * b["radius"].get<double>())
+                                  : start + (weight(c) * -n[0] - push) * t;
+  });
+  return all;
+}
+
+// m g R sin(theta) = mu_r R m g cos(theta) w/sqrt(w^2 + w0^2)
+Expected creep_down(const Json& c) {
+  const Vec n = vec(c["wall"][0]["normal"]);
+  const double share = -n[0] / n[1] / c["contact"]["rolling_friction"].get<double>();
+  const double spin = c["contact"]["rolling_smoothing"].get<double>() * share / std::sqrt(1 - share * share);
+  Expected all;
+  fill(all, c,
+       [&](const Json& seen) { return seen["what"] == "spin" ? spin : spin * c["body"][0]["radius"].get<double>(); });
+  return all;
+}
+
+// Friction m g sin(theta) = St xi, moment m g R sin(theta) = kr turn; the centre goes by both.
+Expected rest_on_slope(const Json& c) {
+  const Json& b = c["body"][0];
+  const Vec n = vec(c["wall"][0]["normal"]);
+  const double m = b["mass"], r = b["radius"], pull = m * weight(c) * -n[0];
+  const Json& pair = pair_of_materials(c, b["material"], c["wall"][0]["material"]);
+  const double k = 4.0 / 3 * pair["modulus"].get<double>() * std::sqrt(r);
+  const double contact_radius = std::sqrt(r) * std::cbrt(m * weight(c) * n[1] / k);
+  const double tangential = 8 * pair["shear_modulus"].get<double>() * contact_radius;
+  const double way = pull * (r * r / c["contact"]["rolling_stiffness"].get<double>() + 1 / tangential);
+  Expected all;
+  fill(all, c, [&](const Json& seen) { return seen["what"] == "displacement" ? way : 0.0; });
+  return all;
+}
+
 // falling(omega) = falling(omega at the start) - mu_r g t / (c R), solved by bisection.
 Expected rolling_decay(const Json& c) {
   const Json& b = c["body"][0];
@@ -143,6 +183,9 @@ Expected conserved(const Json& c) {
 const std::map<std::string, Oracle>& assembly_oracles() {
   static const std::map<std::string, Oracle> all{{"slide to roll", slide_to_roll},
                                                  {"rolling down", rolling_down},
+                                                 {"sliding down", sliding_down},
+                                                 {"creep down", creep_down},
+                                                 {"rest on slope", rest_on_slope},
                                                  {"rolling decay", rolling_decay},
                                                  {"linear bounce", linear_bounce},
                                                  {"linear stack", linear_stack},

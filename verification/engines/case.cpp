@@ -265,7 +265,8 @@ std::vector<Json> cases_like(const std::vector<std::string>& patterns) {
 
 Json request_of(const Json& whole, int steps) {
   Json c = whole;
-  for (const char* verdict : {"source", "oracle", "steps", "view", "floor", "limit", "reason"}) c.erase(verdict);
+  for (const char* verdict : {"source", "oracle", "members", "moved", "steps", "view", "floor", "limit", "reason"})
+    c.erase(verdict);
   for (Json& seen : c["observe"]) {
     for (const char* answer :
          {"value", "interval", "published", "published_by", "floor", "limit", "kind", "scale", "reason", "made_by"})

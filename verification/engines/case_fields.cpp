@@ -150,6 +150,10 @@ void check_contact(const Fields& contact) {
   contact.flag("pull");
   for (const char* key : {"friction", "rolling_friction", "rolling_smoothing"})
     if (contact.has(key)) contact.number(key, 0);
+  if (contact.has("rolling_stiffness")) {
+    if (!(contact.number("rolling_stiffness", 0) > 0)) refuse(contact.at("rolling_stiffness"), "must be above 0");
+    contact.number("rolling_damping", 0);
+  }
   if (linear) {
     for (const char* key : {"kn", "kt", "cn", "ct"}) contact.number(key, 0);
   } else {

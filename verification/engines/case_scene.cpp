@@ -17,7 +17,8 @@ const std::set<std::string> abilities{"hertz",          "wall",       "pair",
                                       "friction",       "rolling",    "gravity",
                                       "spring",         "tear",       "tangential_damping",
                                       "load",           "arm_radius", "arm_contact_point",
-                                      "spring_damping", "linear",     "no_tangential_damping"};
+                                      "spring_damping", "linear",     "no_tangential_damping",
+                                      "rolling_spring"};
 
 Vec2 vec2(const Json& pair) { return {pair[0], pair[1]}; }
 
@@ -69,7 +70,8 @@ void add_lattice(Scene& scene, const Json& l) {
   scene.lattice.push_back(lattice);
 }
 
-void set_contact(Scene& scene, const Json& contact) {
+void set_contact(Scene& scene, const Json& c) {
+  const Json& contact = c["contact"];
   scene.contact = {.friction = contact.value("friction", 0.0),
                    .rolling_friction = contact.value("rolling_friction", 0.0)};
   if (contact["law"] == "linear") {
@@ -84,6 +86,15 @@ void set_contact(Scene& scene, const Json& contact) {
   }
   scene.model.pull = contact["pull"];
   scene.model.moment_arm = contact["moment_arm"] == "radius" ? MomentArm::radius : MomentArm::contact_point;
+  if (contact.contains("rolling_stiffness")) {
+    const double k = contact["rolling_stiffness"];
+    const Json& body = c["body"][0];
+    const double inertia =  // about the contact
+        body["inertia"].get<double>() + body["mass"].get<double>() * std::pow(body["radius"].get<double>(), 2);
+    scene.model.rolling = Rolling::spring;
+    scene.contact.rolling_stiffness = k;
+    scene.contact.rolling_damping = contact["rolling_damping"].get<double>() / (2 * std::sqrt(inertia * k));
+  }
   if (contact.contains("rolling_smoothing")) scene.model.rolling_smoothing = contact["rolling_smoothing"];
 }
 
@@ -125,6 +136,11 @@ std::string beyond_a_scene(const Json& c) {
   return {};
 }
 
+// The damper against rolling is given in N m s, in a scene as a share of the critical one, which hangs on the partners.
+bool rolls_on_springs_of_several(const Json& c) {
+  return c["contact"].contains("rolling_stiffness") && (c["body"].size() != 1 || !(c["body"][0]["radius"] > 0.0));
+}
+
 bool mixed(const Json& c) {
   std::set<bool> shapes;
   for (const Json& body : c["body"]) {
@@ -143,6 +159,7 @@ std::string lacking(const Json& c) {
   require_fields(c);
   if (c["gravity"][0] != 0.0) return "gravity that is not along -y";
   if (std::string beyond = beyond_a_scene(c); !beyond.empty()) return beyond;
+  if (rolls_on_springs_of_several(c)) return "springs against rolling of several bodies";
   return mixed(c) ? "discs and spheres together" : "";
 }
 
@@ -156,7 +173,7 @@ Scene scene_of_case(const Json& c) {
     if (!material.rigid) material.young = m["young"], material.poisson = m["poisson"];
     scene.material.push_back(material);
   }
-  set_contact(scene, c["contact"]);
+  set_contact(scene, c);
   add_discs(scene, c);
   for (const Json& w : c["wall"]) scene.wall.push_back({w["name"], vec2(w["point"]), vec2(w["normal"]), w["material"]});
   for (const Json& p : c["plate"]) {

@@ -43,6 +43,7 @@ Json independent_answer(const Json& request, const Stepper& stepper, AfterSlip a
                                        "tangential_damping",
                                        "no_tangential_damping",
                                        "rolling",
+                                       "rolling_spring",
                                        "gravity",
                                        "spring",
                                        "spring_damping",

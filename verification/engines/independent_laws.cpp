@@ -49,10 +49,15 @@ Forces World::forces(const Touch& c, const Pair& pair, const Numbers& at, double
   return {normal, std::clamp(-st * xi - ct * slip, -most, most), st, ct * slip, slip};
 }
 
-double World::rolling_moment(const Touch& c, const Pair& pair, const Numbers& at, double normal) const {
-  if (contact_["rolling_friction"] == 0.0) return 0;
-  const double w = spin(at, pair.a) - (pair.kind == with_body ? spin(at, pair.b) : 0);
-  const double most = number("rolling_friction") * c.radius * std::max(0.0, normal);
+double World::relative_spin(const Pair& pair, const Numbers& at) const {
+  return spin(at, pair.a) - (pair.kind == with_body ? spin(at, pair.b) : 0);
+}
+
+double World::rolling_moment(const Touch& c, std::size_t k, const Numbers& at, double normal) const {
+  if (rolling_friction_ == 0) return 0;
+  const double w = relative_spin(pairs_[k], at), most = rolling_friction_ * c.radius * std::max(0.0, normal);
+  if (rolls_on_a_spring_)
+    return std::clamp(-number("rolling_stiffness") * at[turn_of(k)] - number("rolling_damping") * w, -most, most);
   return -most * w / std::hypot(w, number("rolling_smoothing"));
 }
 
@@ -61,7 +66,7 @@ void World::contact_rates(std::size_t k, const Numbers& at, Numbers& dydt, doubl
   const Touch c = touch(pair, at, t);
   if (c.depth <= 0) return;
   const Forces f = forces(c, pair, at, at[spring_of(k)]);
-  const double moment = rolling_moment(c, pair, at, f.normal);
+  const double moment = rolling_moment(c, k, at, f.normal);
   const Vec on_a = f.tangential * Vec{-c.normal[1], c.normal[0]} - f.normal * c.normal;
   push(dydt, pair.a, on_a, c.arm * f.tangential + moment);
   if (pair.kind == with_body) push(dydt, pair.b, -1 * on_a, c.arm_b * f.tangential - moment);
@@ -71,6 +76,7 @@ void World::contact_rates(std::size_t k, const Numbers& at, Numbers& dydt, doubl
     push(dydt, c.node[1], -c.share * on_a, 0);
   }
   dydt[spring_of(k)] = f.slip;
+  dydt[turn_of(k)] = relative_spin(pair, at);
 }
 
 void World::limit_spring(std::size_t k, double t) {
@@ -87,12 +93,26 @@ void World::limit_spring(std::size_t k, double t) {
     xi = (std::copysign(most, stick) - f.viscous) / f.shear_stiffness;
 }
 
+void World::limit_turn(std::size_t k, double t) {
+  double& turn = y[turn_of(k)];
+  const Touch c = touch(pairs_[k], y, t);
+  if (c.depth <= 0) {
+    turn = 0;
+    return;
+  }
+  const double normal = forces(c, pairs_[k], y, y[spring_of(k)]).normal;
+  const double most = rolling_friction_ * c.radius * std::max(0.0, normal) / number("rolling_stiffness");
+  turn = std::clamp(turn, -most, most);
+}
+
 void World::jump(double t) {
   for (Spring& s : springs_) {
     if (s.stiffness * (length(place(y, s.b) - place(y, s.a)) - s.length) > s.strength) s.torn = true;
   }
-  if (friction_ == 0) return;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) limit_spring(k, t);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (friction_ > 0) limit_spring(k, t);
+    if (rolls_on_a_spring_) limit_turn(k, t);
+  }
 }
 
 }  // namespace furrow::verification::independent

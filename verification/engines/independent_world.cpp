@@ -20,7 +20,9 @@ World::World(const Json& c, AfterSlip after)
       friction_(contact_["friction"]),
       pulls_(contact_["pull"]),
       damps_slip_(contact_["tangential_damping"]),
-      whole_radius_(contact_["moment_arm"] == "radius") {
+      whole_radius_(contact_["moment_arm"] == "radius"),
+      rolls_on_a_spring_(contact_.contains("rolling_stiffness")),
+      rolling_friction_(contact_["rolling_friction"]) {
   for (const Json& b : c["body"]) add_body(b);
   for (const Json& s : c["spring"])
     springs_.push_back({index_.at(s["a"]), index_.at(s["b"]), s["stiffness"], s["damping"], s["length"],
@@ -30,7 +32,7 @@ World::World(const Json& c, AfterSlip after)
   for (const Json& p : c["plate"])
     plates_.push_back({p["name"], p["material"], vec(p["lower_left"]), vec(p["upper_right"]), vec(p["velocity"])});
   add_pairs(c);
-  y.resize(5 * bodies_.size() + pairs_.size());
+  y.resize(5 * bodies_.size() + 2 * pairs_.size());
 }
 
 void World::add_body(const Json& b) {

@@ -76,7 +76,7 @@ class World {
  public:
   World(const Json& c, AfterSlip after);
 
-  Numbers y;  // [x y vx vy spin] of each body, then the tangential spring of each pair
+  Numbers y;  // [x y vx vy spin] of each body, then the tangential spring of each pair, then its spring against rolling
 
   void rates(const Numbers& at, Numbers& dydt, double t);
   void jump(double t);  // what happens at once after a step
@@ -86,8 +86,10 @@ class World {
   void spring_rates(const Spring& s, const Numbers& at, Numbers& dydt) const;
   void contact_rates(std::size_t k, const Numbers& at, Numbers& dydt, double t);
   Forces forces(const Touch& c, const Pair& pair, const Numbers& at, double xi) const;
-  double rolling_moment(const Touch& c, const Pair& pair, const Numbers& at, double normal) const;
+  double rolling_moment(const Touch& c, std::size_t k, const Numbers& at, double normal) const;
+  double relative_spin(const Pair& pair, const Numbers& at) const;
   void limit_spring(std::size_t k, double t);
+  void limit_turn(std::size_t k, double t);
   void push(Numbers& dydt, std::size_t i, Vec force, double torque) const;
 
   Touch touch(const Pair& pair, const Numbers& at, double t) const;
@@ -107,6 +109,7 @@ class World {
   static Vec speed(const Numbers& at, std::size_t i) { return {at[5 * i + 2], at[5 * i + 3]}; }
   static double spin(const Numbers& at, std::size_t i) { return at[5 * i + 4]; }
   std::size_t spring_of(std::size_t k) const { return 5 * bodies_.size() + k; }
+  std::size_t turn_of(std::size_t k) const { return spring_of(pairs_.size() + k); }
   double number(const char* key) const { return contact_[key]; }
 
   Json contact_;
@@ -114,7 +117,8 @@ class World {
   AfterSlip after_;
   bool linear_;
   double beta_, friction_;
-  bool pulls_, damps_slip_, whole_radius_;
+  bool pulls_, damps_slip_, whole_radius_, rolls_on_a_spring_;
+  double rolling_friction_;
   std::map<std::string, std::size_t> index_;
   std::vector<Body> bodies_;
   std::vector<Spring> springs_;

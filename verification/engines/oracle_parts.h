@@ -9,6 +9,7 @@
 #include <string>
 
 #include "verification/engines/case.h"
+#include "verification/engines/oracles.h"
 
 namespace furrow::verification {
 
@@ -19,6 +20,7 @@ using Oracle = std::function<Expected(const Json& whole)>;
 const std::map<std::string, Oracle>& contact_oracles();
 const std::map<std::string, Oracle>& assembly_oracles();
 const std::map<std::string, Oracle>& spring_oracles();
+const std::map<std::string, Oracle>& bed_oracles();
 
 using Vec = std::array<double, 2>;
 inline Vec vec(const Json& pair) { return {pair[0], pair[1]}; }

@@ -52,6 +52,22 @@ Expected chain_mode(const Json& c) {
   return all;
 }
 
+// The initial shape is A cos(q n); A and q are read off the first two masses.
+Expected dispersion(const Json& c) {
+  const Json& l = c["lattice"][0];
+  const auto shape = [&](std::size_t column) { return l["node"][column]["displacement"][0].get<double>(); };
+  const double q = std::acos(shape(1) / shape(0));
+  const double k = l["structural"]["stiffness"], kb = l["bending"]["stiffness"];
+  const double w =
+      2 / std::sqrt(node_mass(c)) * std::sqrt(k * std::pow(std::sin(q / 2), 2) + kb * std::pow(std::sin(q), 2));
+  Expected all;
+  fill(all, c, [&](const Json& seen) {
+    const std::string node = seen["of"][0];
+    return shape(std::stoul(node.substr(node.rfind('.') + 1))) * (std::cos(w * c["end"].get<double>()) - 1);
+  });
+  return all;
+}
+
 Expected cantilever(const Json& c) {
   const Json& l = c["lattice"][0];
   const Beam beam{.rows = l["rows"],
@@ -171,6 +187,7 @@ const std::map<std::string, Oracle>& spring_oracles() {
       {"oscillator", oscillator},
       {"circling", circling},
       {"chain mode", chain_mode},
+      {"dispersion", dispersion},
       {"cantilever", cantilever},
       {"rests", rests},
       {"tear by load", tear_by_load},

@@ -119,6 +119,9 @@ def observable(case, seen, frames):
     if what == "angular momentum":
         moment = lambda p, v: p[0] * v[1] - p[1] * v[0]
         return total(lambda name, body: body["mass"] * moment(last.place[name], last.speed[name]) + body["inertia"] * last.spin[name])
+    if what == "mean height":
+        heights = [last.place[name][1] for name, body in case.bodies.items() if body["radius"] > 0]
+        return sum(heights) / len(heights)
     raise Refusal(f"observing the {what}")
 
 

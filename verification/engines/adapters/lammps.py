@@ -14,7 +14,7 @@ import common
 
 LAMMPS = os.environ.get("LAMMPS", "lmp")
 GRAINS = {"hertz", "wall", "pair", "damping", "pull", "no_pull", "friction", "tangential_damping", "no_tangential_damping",
-          "gravity", "arm_radius", "linear", "load"}
+          "gravity", "arm_radius", "linear", "load", "rolling_spring"}
 NET = {"spring", "tear", "load", "gravity"}
 
 
@@ -38,6 +38,10 @@ def granular(case, modulus, shear):
     mu = min(contact["friction"], 1e6)
     tangent = f"mindlin {exact(8 * shear)} {exact(both)} {exact(mu)}" if mu else "linear_nohistory 0 0"
     limit = "" if contact["pull"] or not damped else " limit_damping"
+    if "rolling_spring" in case.needs:  # its spring is one of length at R
+        square = case.body[0]["radius"]**2
+        tangent += (f" rolling sds {exact(contact['rolling_stiffness'] / square)} {exact(contact['rolling_damping'] / square)}"
+                    f" {exact(contact['rolling_friction'])}")
     return f"{normal} tangential {tangent} damping {'tsuji' if damped else 'velocity'}{limit}"
 
 
@@ -176,6 +180,8 @@ def read_frames(case, folder):
 def run(case, folder):
     net = bool(case.spring)
     case.refuse_beyond(NET if net else GRAINS)
+    if "rolling_spring" in case.needs and len(case.body) > 1:
+        raise common.Refusal("springs against rolling of several bodies")
     if not net and any(body["radius"] == 0 for body in case.body):
         raise common.Refusal("point masses that touch")
     types = sorted({body["material"] for body in case.body})
