@@ -52,10 +52,11 @@ class Case:
 
 
 class Frame:
-    """One moment of an engine's run: by name of the body (x, y), (vx, vy), spin and the force on it; how many springs have torn."""
+    """One moment of an engine's run: by name of the body (x, y), (vx, vy), spin and the force on it; how many springs have torn; by name
+    of the plate the force on it."""
 
     def __init__(self, t):
-        self.t, self.place, self.speed, self.spin, self.force, self.torn, self.push = t, {}, {}, {}, {}, 0, (0.0, 0.0)
+        self.t, self.place, self.speed, self.spin, self.force, self.torn, self.push = t, {}, {}, {}, {}, 0, {}
 
 
 def dot(a, b):
@@ -119,6 +120,13 @@ def observable(case, seen, frames):
     if what == "angular momentum":
         moment = lambda p, v: p[0] * v[1] - p[1] * v[0]
         return total(lambda name, body: body["mass"] * moment(last.place[name], last.speed[name]) + body["inertia"] * last.spin[name])
+    if what == "push":
+        return along(last.push[of[0]])
+    if what == "greatest push":
+        return crest([along(frame.push[of[0]]) for frame in frames])
+    if what == "mean push":
+        late = [along(frame.push[of[0]]) for frame in frames if frame.t >= seen["from"]]
+        return sum(late) / len(late)
     if what == "mean height":
         heights = [last.place[name][1] for name, body in case.bodies.items() if body["radius"] > 0]
         return sum(heights) / len(heights)

@@ -14,7 +14,7 @@ import common
 
 LAMMPS = os.environ.get("LAMMPS", "lmp")
 GRAINS = {"hertz", "wall", "pair", "damping", "pull", "no_pull", "friction", "tangential_damping", "no_tangential_damping",
-          "gravity", "arm_radius", "linear", "load", "rolling_spring"}
+          "gravity", "arm_radius", "linear", "load", "rolling_spring", "plate"}
 NET = {"spring", "tear", "load", "gravity"}
 
 
@@ -69,6 +69,21 @@ def wall_lines(case, types):
         else:
             lines += [f"region wall{k} plane {exact(point[0])} {exact(point[1])} 0 {exact(normal[0])} {exact(normal[1])} 0",
                       f"fix wall{k} all wall/gran/region {words} region wall{k}"]
+    return lines
+
+
+def plate_lines(case, types):
+    """Blocks that move by variables of the time; the force on one is the sum of what its contacts give to the grains."""
+    lines = []
+    for k, plate in enumerate(case.plate):
+        kinds = {case.moduli(name, plate["material"]) for name in types}
+        if len(kinds) != 1:
+            raise common.Refusal("a plate that meets several materials")
+        (x0, y0), (x1, y1) = plate["lower_left"], plate["upper_right"]
+        lines += [f"variable way{axis}{k} equal {exact(v)}*step*dt" for axis, v in zip("xy", plate["velocity"])]
+        lines += [f"region plate{k} block {exact(x0)} {exact(x1)} {exact(y0)} {exact(y1)} EDGE EDGE side out move v_wayx{k} v_wayy{k} NULL",
+                  f"fix plate{k} all wall/gran/region granular {granular(case, *kinds.pop())} region plate{k} contacts",
+                  f"compute push{k} all reduce sum f_plate{k}[2] f_plate{k}[3]"]
     return lines
 
 
@@ -139,7 +154,7 @@ def grain_lines(case, folder, types):
         for j in range(i, len(types)):
             lines.append(f"pair_coeff {i + 1} {j + 1} {granular(case, *case.moduli(a, types[j]))}")
     lines.append("fix move all nve/sphere" + ("" if spheres == {True} else " disc"))
-    return lines + wall_lines(case, types) + ["variable torn equal 0"]
+    return lines + wall_lines(case, types) + plate_lines(case, types) + ["variable torn equal 0"]
 
 
 def load_lines(case):
@@ -155,13 +170,14 @@ def load_lines(case):
 
 
 def read_frames(case, folder):
-    """dump custom: id x y vx vy omegaz fx fy; the torn springs stand in a file of their own."""
-    torn = {}
+    """dump custom: id x y vx vy omegaz fx fy; the torn springs and the forces on plates stand in a file of their own."""
+    torn, pushes = {}, {}
     with open(f"{folder}/torn", encoding="utf-8") as lines:
         for line in lines:
             if not line.startswith("#"):
-                step, count = line.split()
+                step, count, *push = line.split()
                 torn[int(step)] = int(float(count))
+                pushes[int(step)] = [-float(part) for part in push]
     names = {number: name for name, number in case.number.items()}
     frames = []
     with open(f"{folder}/dump", encoding="utf-8") as dump:
@@ -170,6 +186,7 @@ def read_frames(case, folder):
                 step = int(next(dump))
                 frames.append(common.Frame(step * case.step))
                 frames[-1].torn = torn.get(step, 0)
+                frames[-1].push = {plate["name"]: tuple(pushes[step][2 * k:2 * k + 2]) for k, plate in enumerate(case.plate)}
             elif not line.startswith("ITEM") and len(line.split()) == 8:
                 k, x, y, vx, vy, spin, fx, fy = map(float, line.split())
                 frame, name = frames[-1], names[int(k)]
@@ -188,13 +205,14 @@ def run(case, folder):
     flat = net or not case.sphere(case.body[0])
     every = 1 if case.sees_every_step() else case.count
     spin = "vz" if net else "omegaz"
+    pushes = "".join(f" $(c_push{k}[{axis}]:%.17g)" for k in range(len(case.plate)) for axis in (1, 2))
     lines = ["units si", f"dimension {2 if flat else 3}", "boundary f f p" if flat else "boundary f f f", "newton off", "neighbor 0.001 bin"]
     lines += net_lines(case, folder, types) if net else grain_lines(case, folder, types)
     lines += load_lines(case)
     lines += ["neigh_modify delay 0 every 1 check yes", f"timestep {exact(case.step)}", *(["fix flat all enforce2d"] if flat else []),
               "thermo_modify lost error", f"thermo {case.count}",
               f"dump all all custom {every} dump id x y vx vy {spin} fx fy", "dump_modify all sort id format float %.17g",
-              f'fix torn all print {every} "$(step) $(v_torn)" file torn screen no', f"run {case.count}"]
+              f'fix torn all print {every} "$(step) $(v_torn){pushes}" file torn screen no', f"run {case.count}"]
     with open(f"{folder}/in", "w", encoding="utf-8") as out:
         out.write("\n".join(lines) + "\n")
     common.call([LAMMPS, "-in", "in", "-log", "none"], folder, env=os.environ | {"OMP_NUM_THREADS": "1"})
