@@ -45,10 +45,16 @@ TEST(Engines, EachThatIsWrongOnPurposeIsFoundByACase) {
 TEST(Engines, TheExampleOfTheProtocolIsRightWhereItClaimsToBe) {
   const Engine example =
       verification::program_engine("python3 " FURROW_SOURCE_DIR "/verification/engines/example.py", 30);
-  const std::map<std::string, Judgement> all = judge_all(example);
-  for (const char* name : {"hertz_wall", "hertz_wall_of_the_same", "hertz_slow", "hertz_fast", "leaning_wall"})
-    EXPECT_EQ(to_string(all.at(name).verdict), "right") << name << ": " << all.at(name).words;
-  for (const auto& [name, j] : all) EXPECT_LE(j.verdict, CaseVerdict::cannot) << name << ": " << j.words;
+  int own = 0, others = 0;
+  for (const std::string& name : case_names()) {
+    const Json whole = case_named(name);
+    const bool can = whole["needs"] == Json{"hertz", "wall"};
+    if (!can && ++others > 5) continue;  // one process a case, which says that it cannot
+    const Judgement j = judge_case(whole, example);
+    own += can ? 1 : 0;
+    EXPECT_EQ(to_string(j.verdict), can ? "right" : "cannot") << name << ": " << j.words;
+  }
+  EXPECT_GE(own, 5);
 }
 
 }  // namespace
