@@ -16,7 +16,8 @@ import unittest
 
 source = pathlib.Path(__file__).resolve().parents[2]
 program = pathlib.Path(os.environ["FURROW"])
-ROOMS = ["src", "src/scene", "src/output", "src/export", "src/python", "verification", "validation", "benchmarks", "tests"]
+ROOMS = ["src", "src/scene", "src/output", "src/export", "src/python", "verification", "verification/engines",
+         "validation", "benchmarks", "tests"]
 PAGES = ["README.md", *(f"{room}/README.md" for room in ROOMS)]
 TOP = [entry.name for entry in source.iterdir() if entry.is_dir() and not entry.name.startswith(".")]
 
