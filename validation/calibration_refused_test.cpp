@@ -132,6 +132,7 @@ TEST(CalibrationRefuses, AKeyThatIsVariedTwiceHoweverItIsWritten) {
       {{R"(title="a\",b)"}, "a quote is opened and not closed"},
       {{"title='a,b"}, "a quote is opened and not closed"},
       {{R"(title="a",'a')"}, "names a value twice"},
+      {{R"(title="a\"b",'a"b')"}, "names a value twice"},
       {{"packing[0].seed=1,2"}, "a seed only draws another packing"}};
   for (const auto& [vary, message] : wrong) {
     const std::string error = said_by<std::invalid_argument>([&] { bench.of(near_curve, vary); });

@@ -161,6 +161,21 @@ TEST(LinearTheory, KnowsWhetherAPointIsALeast) {
   EXPECT_TRUE(arrived(bent(0.351), Intervals(bent(0.351)).half)) << "off by 0.001; half the interval is 0.003";
 }
 
+TEST(LinearTheory, SeesABendAndAJump) {
+  const auto all = [](double value) { return Eigen::VectorXd::Constant(3, value); };
+  const auto of = [&](double low, double middle, double high, double at = 0.5) {
+    return bend(all(low), all(middle), all(high), at, all(1));
+  };
+  EXPECT_EQ(of(1, 2, 3), 0);
+  EXPECT_EQ(of(1, 1.5, 3, 0.25), 0) << "not in the middle";
+  EXPECT_NEAR(of(-1, 0.1, 1.4), 2 * 0.1 / 2.4, 1e-12);
+  EXPECT_NEAR(of(0, 0, 5), 1, 1e-12) << "a jump on one side";
+  EXPECT_NEAR(of(0, 5, 5), 1, 1e-12);
+  EXPECT_GT(of(1, 0, 1), 1e9) << "both sides are worse by as much";
+  EXPECT_EQ(of(1, 1, 1), 0) << "flat";
+  EXPECT_EQ(of(1, 1, 9, 0), 0) << "at the edge of a range";
+}
+
 // 10 (x - a) and 10 (x + y - b).
 Slopes two_keys(double x, double y, double a, double b, double least) {
   return {Eigen::Vector2d(10 * (x - a), 10 * (x + y - b)), Eigen::Vector2d(1, 1),

@@ -31,6 +31,14 @@ Known known_of(const VariedKey& key, const std::string& value, double half, bool
   return known;
 }
 
+// Over what was probed of that key.
+double bend_over(const Evaluator& evaluator, const Point& best, const Probe& probe, const Slopes& about,
+                 Eigen::Index key) {
+  const double at = (about.from[key] - probe.below) / probe.width();
+  return bend(residuals_of(evaluator, probe.low), residuals_of(evaluator, best), residuals_of(evaluator, probe.high),
+              at, about.weights);
+}
+
 // As far along a direction as the ranges allow, by sign.
 double reach_along(const Vector& from, const Vector& direction, double sign) {
   double reach = 2;
@@ -187,6 +195,14 @@ Identified identify(const Evaluator& evaluator, const Point& best, const Packing
     if (!all_whole(best, probes)) return found.why_not = unsaid_nearby, found;
     about = slopes_about(evaluator, best, ranged, probes);
     linear = Intervals(about);
+  }
+  for (std::size_t i = 0; i < ranged.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    if (linear.half[k] > 0.5 || bend_over(evaluator, best, probes[i], about, k) <= most_bend) continue;
+    found.why_not = "between " + probes[i].low.setting[ranged[i]] + " and " + probes[i].high.setting[ranged[i]] +
+                    " of " + evaluator.keys()[ranged[i]].name +
+                    " the targets bend or jump: slopes say nothing of an interval";
+    return found;
   }
   const bool there = arrived(of_loss(evaluator, about), linear.half);
   for (std::size_t i = 0; i < ranged.size(); ++i)

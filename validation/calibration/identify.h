@@ -8,7 +8,8 @@
 // than the ranges themselves is flat: the targets do not say where on it the truth lies.
 //
 // All of this is about a minimum. Where the Gauss-Newton step that is left, x_j - ((J'WJ)^-1 J'W r)_j within the ranges, is
-// in any key longer than the half interval, the search has not arrived at one, and no interval is given.
+// in any key longer than the half interval, the search has not arrived at one, and no interval is given. Nor is one where
+// a target bends or jumps over what the interval covers.
 #pragma once
 
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <regex>
 
 #include "scene/wording.h"
 
@@ -47,7 +48,9 @@ std::string canonical_value(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string::npos) return "";
   std::string value = text.substr(first, text.find_last_not_of(' ') - first + 1);
-  if (value.size() > 1 && value.front() == '"' && value.back() == '"') return value.substr(1, value.size() - 2);
+  if (value.size() > 1 && value.front() == '\'' && value.back() == '\'') return value.substr(1, value.size() - 2);
+  if (value.size() > 1 && value.front() == '"' && value.back() == '"')
+    return std::regex_replace(value.substr(1, value.size() - 2), std::regex(R"(\\(["\\]))"), "$1");
   double number = 0;
   const char* end = value.data() + value.size();
   const auto [rest, error] = std::from_chars(value.data(), end, number);

@@ -89,6 +89,12 @@ bool arrived(const Slopes& about, const Vector& half) {
   return (step_within_ranges(about).array().abs() <= half.array()).all();
 }
 
+double bend(const Vector& low, const Vector& middle, const Vector& high, double at, const Vector& weights) {
+  const Vector root = weights.cwiseSqrt();
+  const double off = root.cwiseProduct(middle - low - at * (high - low)).norm();
+  return off > 0 ? 2 * off / root.cwiseProduct(high - low).norm() : 0;
+}
+
 std::optional<double> falling_share(const std::function<double(double)>& misfit_after, double before) {
   double share = 1;
   for (int k = 0; k < most_shares; ++k, share /= 2) {

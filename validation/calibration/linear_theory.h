@@ -32,6 +32,14 @@ Eigen::VectorXd step_within_ranges(const Slopes& about);
 // their best values move with this one.
 bool arrived(const Slopes& about, const Eigen::VectorXd& half);
 
+// How far a model is from a straight line over the reach of a key: residuals at the point, off the line between those on
+// its two sides, of half their difference; weighted. 0: straight; 1: all of the change is on one side, as where the model
+// jumps; infinite where only the middle is off. `at` is the place of the point between the sides, 0 to 1; at one of them
+// nothing can be said: 0.
+double bend(const Eigen::VectorXd& low, const Eigen::VectorXd& middle, const Eigen::VectorXd& high, double at,
+            const Eigen::VectorXd& weights);
+constexpr double most_bend = 0.5;  // an interval of slopes is then off by half
+
 constexpr int most_shares = 5;
 
 // The longest share of a step, of 1, 1/2, ... 1/16, after which the misfit is less than before; none after none of them.
