@@ -8,10 +8,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "output/files.h"
@@ -64,8 +67,40 @@ class MemoryFile {
   int descriptor_;
 };
 
+// A variable that no other process has, but what this child starts.
+std::string new_mark() {
+  static std::atomic<long> count{0};
+  return "FURROW_CHILD=" + std::to_string(getpid()) + "." + std::to_string(++count) + "." +
+         std::to_string(static_cast<long long>(1e6 * wall_seconds()));
+}
+
+bool bears(const std::filesystem::path& process, const std::string& mark) {
+  std::ifstream stream(process / "environ", std::ios::binary);
+  std::string variable;
+  while (std::getline(stream, variable, '\0')) {
+    if (variable == mark) return true;
+  }
+  return false;
+}
+
+// What it finds may have started more meanwhile; what cannot be killed is waited for no longer than half a second.
+void kill_all_that_bear(const std::string& mark) {
+  bool found = true;
+  for (int look = 0; found && look < 100; ++look) {
+    if (look > 0) nanosleep(&between_looks, nullptr);
+    found = false;
+    std::error_code gone;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc", gone)) {
+      const std::string name = entry.path().filename();
+      if (name.find_first_not_of("0123456789") != std::string::npos || !bears(entry.path(), mark)) continue;
+      found = kill(static_cast<pid_t>(std::stol(name)), SIGKILL) == 0 || found;
+    }
+  }
+}
+
 // After fork: only what is safe there.
-[[noreturn]] void become(char* const* words, pid_t parent, int input, int output, int errors) {
+[[noreturn]] void become(char* const* words, char* const* environment, pid_t parent, int input, int output,
+                         int errors) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(could_not_start);
@@ -75,17 +110,18 @@ class MemoryFile {
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
   fcntl(input, F_SETFD, 0);
-  execvp(words[0], words);
+  execvpe(words[0], words, environment);
   _exit(could_not_start);
 }
 
 // The child and all that it has started.
 class Group {
  public:
-  explicit Group(pid_t leader) : leader_(leader) { setpgid(leader, leader); }
+  Group(pid_t leader, std::string mark) : leader_(leader), mark_(std::move(mark)) { setpgid(leader, leader); }
   ~Group() {
     kill(-leader_, SIGKILL);
     if (!ended_) waitpid(leader_, &status_, 0);
+    kill_all_that_bear(mark_);
   }
   Group(const Group&) = delete;
   Group& operator=(const Group&) = delete;
@@ -95,6 +131,7 @@ class Group {
 
  private:
   pid_t leader_;
+  std::string mark_;
   int status_ = 0;
   bool ended_ = false;
 };
@@ -108,14 +145,19 @@ ChildEnd run_child(const ChildRequest& request) {
   for (std::string& word : words) {
     if (word == "{input}") word = "/dev/fd/" + std::to_string(input.descriptor());
   }
-  std::vector<char*> pointers;
+  std::vector<char*> pointers, environment;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  std::string mark = new_mark();
+  for (char** variable = environ; *variable; ++variable) environment.push_back(*variable);
+  environment.push_back(mark.data());
+  environment.push_back(nullptr);
   const double begun = wall_seconds();
   const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error(words[0] + " cannot be started: " + std::strerror(errno));
-  if (child == 0) become(pointers.data(), parent, input.descriptor(), output.descriptor(), errors.descriptor());
-  Group group(child);
+  if (child == 0)
+    become(pointers.data(), environment.data(), parent, input.descriptor(), output.descriptor(), errors.descriptor());
+  Group group(child, mark);
   while (!group.has_ended()) {
     throw_if_interrupted();
     if (wall_seconds() - begun > request.limit)

@@ -19,8 +19,9 @@ struct ChildEnd {
   std::string output, errors;
 };
 
-// Neither the program nor what it has started outlives this call, or this process. Throws Interrupted at once when that
-// is asked for, and std::runtime_error after a limit.
+// Neither the program nor what it has started outlives this call, also what has left its group: all of it is known by a
+// variable in its environment. If this process is killed, the program ends with it. Throws Interrupted at once when that is
+// asked for, and std::runtime_error after a limit.
 ChildEnd run_child(const ChildRequest& request);
 
 }  // namespace furrow

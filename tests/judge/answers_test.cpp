@@ -1,7 +1,13 @@
 // What an engine may print: an answer that does not follow the protocol has failed, and no other case is lost by it.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include "output/child.h"
 #include "tests/judge/one_number.h"
@@ -70,6 +76,36 @@ TEST(Answers, BytesThatAreNoUtf8AreShownAsSuch) {
   expect_failed(R"(cat >/dev/null; printf '{"engine": "\377"}')", "is no JSON");
   expect_failed(R"(printf 'lost \377 and \303' >&2; exit 3)", "code 3: lost ? and ?");
   expect_failed("python3 -c \"import sys; sys.stderr.buffer.write(b'x' + 'ö'.encode() * 400)\"; exit 3", "öö?");
+}
+
+// How many processes run that program with that one argument.
+int running(const std::string& program, const std::string& argument) {
+  const std::string wanted = program + std::string(1, '\0') + argument + std::string(1, '\0');
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "cmdline", std::ios::binary);
+    count += std::string(std::istreambuf_iterator<char>(stream), {}) == wanted ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Answers, WhatAnEngineLeavesBehindIsEndedWithIt) {
+  std::FILE* other = popen("exec sleep 0.53125", "r");
+  bool seen = false;
+  for (int look = 0; look < 100 && !seen; ++look) {
+    seen = running("sleep", "0.53125") == 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  EXPECT_TRUE(seen);
+  pclose(other);
+  const std::string left = "setsid sleep 3127.5 >/dev/null 2>&1 & ";
+  const auto engine = [](const std::string& command) { return verification::program_engine(command, 1); };
+  EXPECT_EQ(engine(left + "sleep 0.2; echo '{}'")({}), Json::object());
+  EXPECT_EQ(running("sleep", "3127.5"), 0) << "after an answer";
+  EXPECT_THROW(engine(left + "sleep 60")({}), std::runtime_error);
+  EXPECT_EQ(running("sleep", "3127.5"), 0) << "after its time";
+  const ChildEnd end = run_child({.words = {"sh", "-c", "sleep 3127.5 & echo $!"}});
+  EXPECT_EQ(running("sleep", "3127.5"), 0) << "of the program's own group";
 }
 
 TEST(Answers, WhatXmlCannotHoldIsReplaced) {
