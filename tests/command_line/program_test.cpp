@@ -111,7 +111,7 @@ TEST_F(Program, UsageErrorsExitTwo) {
 // Without a ledger nothing sees the energy that is made before bodies outrun their size.
 TEST_F(Program, DivergedRunExitsThreeNamesTheCulpritAndKeepsTheLastGoodState) {
   std::ofstream(directory_ / "scenario_1.toml")
-      << text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml") << "energy = false\n";
+      << text_of(FURROW_SOURCE_DIR "/validation/scenes/literal/scenario_1.toml") << "energy = false\n";
   const Result r = furrow("run scenario_1.toml --dt 0.05 --until 1.2 --out here");
   EXPECT_EQ(r.code, 3);
   EXPECT_NE(r.err.find("scenario_1 diverged: node (row "), std::string::npos) << r.err;
@@ -136,7 +136,7 @@ TEST_F(Program, ExplainNamesWhatIsModelledLeftOutAndTheStableStep) {
 class SphereReading : public Program {
  protected:
   void write_scene(const std::string& settle, const std::string& discs, const std::string& depth) const {
-    std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_2.toml");
+    std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/literal/scenario_2.toml");
     const auto replace = [&](const std::string& old, const std::string& with) {
       text.replace(text.find(old), old.size(), with);
     };

@@ -24,9 +24,9 @@ class Judging : public furrow::test::Program {
     for (const char* number : {"1", "2", "3"}) write_scene(number, "1e-4");
   }
 
-  // The paper's scene, with 20 discs and until 50 ms.
+  // The literal scene, with 20 discs and until 50 ms.
   void write_scene(const std::string& number, const std::string& step, const std::string& end = "0.05") const {
-    std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_" + number + ".toml");
+    std::string text = text_of(FURROW_SOURCE_DIR "/validation/scenes/literal/scenario_" + number + ".toml");
     for (const auto& [old, now] : {std::pair<std::string, std::string>{"\nend = [^\n]*", "\nend = " + end},
                                    {"\nstep = 1e-4", "\nstep = " + step},
                                    {"\ninterval = 1e-3", "\ninterval = " + (step == "1e-4" ? "1e-3" : step)},

@@ -22,7 +22,7 @@ import furrow
 FIRST = source / "validation/scenes/scenario_1.toml"
 DISC = source / "validation/scenes/disc_on_wall.toml"
 PACKED = source / "tests/property/scenes/packing.toml"
-SCENES = sorted([*source.glob("validation/scenes/*.toml"), *source.glob("tests/property/scenes/*.toml")])
+SCENES = sorted([*source.glob("validation/scenes/**/*.toml"), *source.glob("tests/property/scenes/*.toml")])
 SHORT = {"time.end": 0.1}
 
 

@@ -22,7 +22,7 @@ source = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(source / "src/python"))
 import furrow
 
-SCENES = sorted([*source.glob("validation/scenes/*.toml"), *source.glob("tests/property/scenes/*.toml"),
+SCENES = sorted([*source.glob("validation/scenes/**/*.toml"), *source.glob("tests/property/scenes/*.toml"),
                  source / "benchmarks/rivals/scene.toml", source / "tests/fuzz/corpus/disc_on_wall.toml",
                  source / "tests/fuzz/corpus/plate_far_off.toml"])
 FIRST = source / "validation/scenes/scenario_1.toml"

@@ -60,7 +60,9 @@ void copy_tree(const fs::path& from, const fs::path& to) {
 
 std::string scenes_of(const fs::path& tree) {
   std::set<fs::path> files;  // sorted
-  for (const auto& entry : fs::directory_iterator(tree / "validation/scenes")) files.insert(entry.path());
+  for (const auto& entry : fs::recursive_directory_iterator(tree / "validation/scenes")) {
+    if (entry.is_regular_file()) files.insert(entry.path());
+  }
   std::string text;
   for (const fs::path& file : files) text += text_of(file);
   return text;
