@@ -1,6 +1,6 @@
-// Every scene of validation/scenes without stems, but no other reading of one, short: in the frozen state in which it has settled, with 120 discs and coarsely,
-// and run for a while from there. Below the stability limit: at the paper's own step, 1e-4 s, scenes 2 and 3 are beyond
-// it.
+// Every scene of validation/scenes without stems, but no other reading of one, short: in the frozen state in which it has
+// settled, with 120 discs and coarsely, and run for a while from there. Below the stability limit: at the paper's own step,
+// 1e-4 s, scenes 2 and 3 are beyond it.
 #pragma once
 
 #include <algorithm>
