@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -12,6 +13,7 @@
 #include "output/files.h"
 #include "report/seal.h"
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/faults.h"
 
 namespace furrow::validation {
 namespace {
@@ -142,6 +144,16 @@ TEST(Evidence, AFaultThatWasNotNoticedOrNotTriedIsNamed) {
     write(file, spoilt);
     EXPECT_NE(unusable_faults(file), "") << way.name;
   }
+}
+
+TEST(Evidence, FaultsOfTheListThatWereNotTriedAreCounted) {
+  Json study = json_of(reference("faults.json"));
+  const std::size_t before = untried_faults(study).size();
+  const std::string name = study["results"][0]["name"];
+  study["results"].erase(0);
+  const std::vector<std::string> untried = untried_faults(study);
+  EXPECT_EQ(untried.size(), before + 1);
+  EXPECT_EQ(std::count(untried.begin(), untried.end(), name), 1);
 }
 
 }  // namespace

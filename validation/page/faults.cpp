@@ -1,11 +1,14 @@
 #include "validation/page/faults.h"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
+#include "report/embedded.h"
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
 
@@ -156,7 +159,30 @@ std::string property_sentence(const std::vector<ordered_json>& faults, const ord
          std::to_string(noticed_by_property(faults)) + ". " + commits(study, "property_commit") + ".";
 }
 
+std::string untried_sentence(const ordered_json& study) {
+  std::string names;
+  const std::vector<std::string> untried = untried_faults(study);
+  for (const std::string& name : untried) names += (names.empty() ? "" : ", ") + escaped(name);
+  return untried.empty()
+             ? ""
+             : std::to_string(untried.size()) + " more were added since and are not tried yet: " + names + ".";
+}
+
 }  // namespace
+
+std::vector<std::string> untried_faults(const ordered_json& study) {
+  std::set<std::string> tried;
+  for (const ordered_json& entry : study.at("results")) tried.insert(entry.at("name"));
+  std::vector<std::string> untried;
+  const toml::table listed = toml::parse(embedded("verification/faults.toml"));
+  for (const char* kind : {"fault", "constant"}) {
+    for (const toml::node& entry : *listed[kind].as_array()) {
+      const std::string name = entry.as_table()->at("name").value_or(std::string());
+      if (!tried.contains(name)) untried.push_back(name);
+    }
+  }
+  return untried;
+}
 
 std::string faults_part(const ordered_json& study, Page& page) {
   const std::vector<ordered_json> faults = of_kind(study, "fault");
@@ -169,6 +195,7 @@ std::string faults_part(const ordered_json& study, Page& page) {
                std::to_string(noticed) + ". " + commits(study) +
                ". A number says how many tests of a page fail. A dash: the page was not run, because it measures "
                "methods, the fault is not in one, and other pages noticed it.");
+  if (const std::string words = untried_sentence(study); !words.empty()) html += element("p", words);
   if (const std::string words = property_sentence(faults, study); !words.empty()) html += element("p", words);
   html += "<details class=\"unfold\"><summary>Each fault and who notices it</summary>" + matrix(faults, study, page) +
           "</details>";

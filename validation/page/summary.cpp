@@ -41,8 +41,9 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
                                     : "<strong>" + grouped(v.checks) + " checks of " + grouped(v.requirements) +
                                           " requirements: " + grouped(v.failed) + " failed.</strong>";
   if (v.faults > 0)
-    words +=
-        " " + grouped(v.noticed) + " of " + grouped(v.faults) + " faults put into the source on purpose were noticed.";
+    words += " " + grouped(v.noticed) + " of " + grouped(v.faults) +
+             " faults put into the source on purpose were noticed" +
+             (v.untried > 0 ? "; " + grouped(v.untried) + " more are not tried yet." : ".");
   if (const std::string edits = mutants_in_short(evidence.mutants); !edits.empty())
     words += " Tests notice " + edits + ".";
   words += " " + std::to_string(ended) + " of " + std::to_string(runs.size()) + " scenes came to their end.";

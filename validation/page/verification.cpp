@@ -197,6 +197,7 @@ Verdict verdict_of(const Evidence& evidence) {
       ++verdict.faults;
       verdict.noticed += fault.at("failed").empty() ? 0 : 1;
     }
+    verdict.untried = untried_faults(study).size();
   }
   return verdict;
 }
