@@ -77,7 +77,9 @@ TEST(CalibrationRefuses, TargetsThatNoRunCouldSay) {
       {worded("pieces", "no splitt"), "did you mean \"no split\"?"},
       {worded("first_structural_tear_place", "row 0"), "\"none torn\" or a place such as \"row 1, column 1 (fixed)"},
       {valued("first_structural_tear_place"), "first_structural_tear_place says words, no number"}};
-  for (const auto& [text, message] : wrong) {
+  for (const auto& one : wrong) {
+    const auto& text = one.first;
+    const auto& message = one.second;
     const std::string error = said_by<std::invalid_argument>([&] { bench.of(text, {stiffness + "=1e3,2e3"}); });
     EXPECT_NE(error.find(message), std::string::npos) << text << error;
   }
@@ -100,7 +102,9 @@ TEST(CalibrationRefuses, TolerancesAndWeightsThatCompareNothing) {
       {"missing = 0.5\n" + same, "missing must be from 1 to 1e+06, not 0.5"},
       {same + same, "target 2: wants the same as target 1"},
       {of("1.0", "1.0", "name = \"a\"") + of("2.0", "1.0", "name = \"a\""), "is named \"a\", as target 1"}};
-  for (const auto& [text, message] : wrong) {
+  for (const auto& one : wrong) {
+    const auto& text = one.first;
+    const auto& message = one.second;
     const std::string error = said_by<std::invalid_argument>([&] { bench.of(text, {stiffness + "=1e3,2e3"}); });
     EXPECT_NE(error.find(message), std::string::npos) << text << error;
   }
@@ -134,7 +138,9 @@ TEST(CalibrationRefuses, AKeyThatIsVariedTwiceHoweverItIsWritten) {
       {{R"(title="a",'a')"}, "names a value twice"},
       {{R"(title="a\"b",'a"b')"}, "names a value twice"},
       {{"packing[0].seed=1,2"}, "a seed only draws another packing"}};
-  for (const auto& [vary, message] : wrong) {
+  for (const auto& one : wrong) {
+    const auto& vary = one.first;
+    const auto& message = one.second;
     const std::string error = said_by<std::invalid_argument>([&] { bench.of(near_curve, vary); });
     EXPECT_NE(error.find(message), std::string::npos) << vary[0] << ": " << error;
   }
@@ -175,7 +181,9 @@ TEST(Calibration, OfWhichNoRunSaysATargetIsAnError) {
        "target \"mean_force\" of twig"},
       {valued("largest_force") + valued("first_tear"), "no run says target \"first_tear\" of twig, in 2 settings"},
       {valued("finished"), "no key moves any target: 2 settings"}};
-  for (const auto& [text, message] : unsaid) {
+  for (const auto& one : unsaid) {
+    const auto& text = one.first;
+    const auto& message = one.second;
     const std::string error = said_by<NothingCompared>([&] { bench.of(text, {stiffness + "=1e3,2e3"}); });
     EXPECT_NE(error.find(message), std::string::npos) << text << error;
   }

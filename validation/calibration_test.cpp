@@ -250,7 +250,7 @@ TEST(Calibration, SaysWhatIsWrongWithAKey) {
       {"other:contact.friction=0.1:0.9", "there is no scene \"other\""},
       {"contact.friction,contact.friction=0.1:0.9", "is varied twice"}};
   for (const auto& [key, message] : wrong) {
-    const std::string error = error_of([&] { calibrate(place.request({key})); });
+    const std::string error = error_of([&, &vary = key] { calibrate(place.request({vary})); });
     EXPECT_NE(error.find(message), std::string::npos) << key << ": " << error;
   }
 }

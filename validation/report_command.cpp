@@ -66,13 +66,14 @@ std::string other_run(const fs::path& directory, const Scene& scene) {
   const auto json = json_or_discarded(file);
   if (!json.is_object()) return "its run.json cannot be read";
   const BuildInfo& build = build_info();
-  const std::array<std::pair<const char*, nlohmann::json>, 7> wanted{{{"ended", "finished"},
-                                                                      {"scene_hash", hexadecimal(scene_hash(scene))},
-                                                                      {"method", scene.time.method},
-                                                                      {"step", scene.time.step},
-                                                                      {"sources", build.sources},
-                                                                      {"compiler", build.compiler},
-                                                                      {"flags", build.flags}}};
+  const std::array<std::pair<const char*, nlohmann::ordered_json>, 7> wanted{
+      {{"ended", "finished"},
+       {"scene_hash", hexadecimal(scene_hash(scene))},
+       {"method", scene.time.method},
+       {"step", scene.time.step},
+       {"sources", build.sources},
+       {"compiler", build.compiler},
+       {"flags", build.flags}}};
   for (const auto& [key, value] : wanted) {
     const auto found = json.find(key);
     if (found == json.end()) return std::string("its run.json does not say its ") + key;
