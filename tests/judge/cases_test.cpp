@@ -10,6 +10,7 @@
 #include "tests/files.h"
 #include "verification/engines/case.h"
 #include "verification/engines/furrow_engine.h"
+#include "verification/engines/judge.h"
 #include "verification/engines/oracles.h"
 
 namespace furrow::test {
@@ -59,6 +60,28 @@ TEST(Cases, WritingTheOraclesValuesIntoAFileChangesNothing) {
     const std::string file = std::string(FURROW_SOURCE_DIR) + "/verification/cases/" + name + ".toml";
     EXPECT_EQ(verification::with_values(text_of(file), verification::expected_of(case_named(name))), text_of(file));
   }
+}
+
+bool says_a_number(const Json& seen) {
+  if (seen.value("kind", "") != "interval") return seen.contains("value") && std::isfinite(seen["value"].get<double>());
+  const Json ends = seen.value("interval", Json::array());
+  return ends.size() == 2 && std::isfinite(ends[0].get<double>()) && ends[1].get<double>() > ends[0].get<double>();
+}
+
+TEST(Cases, EachExpectsANumberOfEveryObservable) {
+  for (const std::string& name : case_names()) {
+    const Json whole = case_named(name);
+    ASSERT_TRUE(whole.contains("observe") && !whole["observe"].empty()) << name;
+    for (const Json& seen : whole["observe"])
+      EXPECT_TRUE(whole.contains("view") || says_a_number(seen)) << name << ": " << seen["name"];
+  }
+}
+
+TEST(Cases, OneThatObservesNothingIsNotRight) {
+  Json whole = case_named("hertz_wall");
+  whole["observe"] = Json::array();
+  const auto engine = [](const Json&) { return Json{{"observables", Json::object()}}; };
+  EXPECT_EQ(verification::judge_case(whole, engine).verdict, verification::CaseVerdict::failed);
 }
 
 TEST(Cases, ObservablesHaveNamesOfTheirOwn) {

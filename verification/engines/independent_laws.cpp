@@ -79,40 +79,37 @@ void World::contact_rates(std::size_t k, const Numbers& at, Numbers& dydt, doubl
   dydt[turn_of(k)] = relative_spin(pair, at);
 }
 
-void World::limit_spring(std::size_t k, double t) {
-  double& xi = y[spring_of(k)];
-  const Touch c = touch(pairs_[k], y, t);
-  if (c.depth <= 0) {
-    xi = 0;
-    return;
-  }
-  const Forces f = forces(c, pairs_[k], y, xi);
+void World::limit_spring(double& xi, const Forces& f) const {
   const double most = friction_ * std::max(0.0, f.normal), stick = f.shear_stiffness * xi + f.viscous;
   if (after_ == AfterSlip::returns) xi = std::clamp(xi, -most / f.shear_stiffness, most / f.shear_stiffness);
   if (after_ == AfterSlip::holds && std::fabs(stick) > most)
     xi = (std::copysign(most, stick) - f.viscous) / f.shear_stiffness;
 }
 
-void World::limit_turn(std::size_t k, double t) {
-  double& turn = y[turn_of(k)];
-  const Touch c = touch(pairs_[k], y, t);
-  if (c.depth <= 0) {
-    turn = 0;
-    return;
-  }
-  const double normal = forces(c, pairs_[k], y, y[spring_of(k)]).normal;
+void World::limit_turn(double& turn, const Touch& c, double normal) const {
   const double most = rolling_friction_ * c.radius * std::max(0.0, normal) / number("rolling_stiffness");
   turn = std::clamp(turn, -most, most);
+}
+
+// What a contact remembers ends with it, and is limited after each step.
+void World::limit_memory(std::size_t k, double t) {
+  double &xi = y[spring_of(k)], &turn = y[turn_of(k)];
+  const Touch c = touch(pairs_[k], y, t);
+  if (c.depth <= 0) {
+    xi = turn = 0;
+    return;
+  }
+  const Forces f = forces(c, pairs_[k], y, xi);
+  if (friction_ > 0) limit_spring(xi, f);
+  if (rolls_on_a_spring_) limit_turn(turn, c, f.normal);
 }
 
 void World::jump(double t) {
   for (Spring& s : springs_) {
     if (s.stiffness * (length(place(y, s.b) - place(y, s.a)) - s.length) > s.strength) s.torn = true;
   }
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (friction_ > 0) limit_spring(k, t);
-    if (rolls_on_a_spring_) limit_turn(k, t);
-  }
+  if (friction_ == 0 && !rolls_on_a_spring_) return;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) limit_memory(k, t);
 }
 
 }  // namespace furrow::verification::independent

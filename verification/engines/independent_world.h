@@ -88,8 +88,9 @@ class World {
   Forces forces(const Touch& c, const Pair& pair, const Numbers& at, double xi) const;
   double rolling_moment(const Touch& c, std::size_t k, const Numbers& at, double normal) const;
   double relative_spin(const Pair& pair, const Numbers& at) const;
-  void limit_spring(std::size_t k, double t);
-  void limit_turn(std::size_t k, double t);
+  void limit_spring(double& xi, const Forces& f) const;
+  void limit_turn(double& turn, const Touch& c, double normal) const;
+  void limit_memory(std::size_t k, double t);
   void push(Numbers& dydt, std::size_t i, Vec force, double torque) const;
 
   Touch touch(const Pair& pair, const Numbers& at, double t) const;

@@ -192,6 +192,7 @@ double scale_of_own(const Json& seen, const std::vector<Json>& own) {
 }
 
 void judge_answers(Judgement& j, const Json& whole, const Asked& asked, const std::vector<Json>& own) {
+  if (!whole.contains("observe") || whole["observe"].empty()) throw std::runtime_error("the case observes nothing");
   std::vector<double> h;
   for (const int steps : j.steps) h.push_back(whole["unit"].get<double>() / steps);
   for (const Json& plain : whole["observe"]) {
