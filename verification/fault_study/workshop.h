@@ -20,7 +20,7 @@ enum Turn { always, methods, costly };
 struct Page {
   std::string name;
   std::vector<std::string> tests;  // "Suite.Test"
-  std::string object;              // the bytes of what it was compiled to, and of the studies that it calls
+  std::string object;              // a hash of the bytes of what it was compiled to, and of the studies that it calls
   Turn turn = always;
   std::string program{};  // that has them; empty: the one of the pages
 };
