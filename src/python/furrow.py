@@ -365,12 +365,25 @@ class Run:
                             "resume it, or read it as far as it came with furrow.read(..., partial=True)")
             file = part
         if not file.exists():
-            raise Error(f"{self.directory} has no {name}: the run ended as {ended!r}")
+            raise Error(f"{self.directory} has no {name}: {self._why_missing(name)}")
         table = Table.from_csv(file)
         self._require_whole(name, file, table)
         if file is not part:
             self._require_as_written(name)
         return table
+
+    def _why_missing(self, name):
+        ended, pictures = self.json["ended"], re.fullmatch(r"frames/[a-z]+_(\d+)\.(?:csv|vtp)", name)
+        if name in self.json.get("files", {}):
+            return f"it was written and is gone; {_AGAIN}"
+        if name == "drive_force.csv" and not any("drive" in lattice for lattice in self.scene.get("lattice", ())):
+            return "its scene drives no nodes of a lattice; [[lattice.drive]] does"
+        if ended != "finished":
+            return f"the run ended as {ended!r} at {self.json['ended_at']} s"
+        if pictures:
+            count = len(self.frames)
+            return f"the run has {count} pictures" + (f", 0 to {count - 1}" if count else "; output.frames asks for them")
+        return f"a run writes no such file; its files are {', '.join(sorted(f for f in self.json['files'] if '/' not in f))}"
 
     def _require_as_written(self, name):
         """The file has the length and the CRC-32 that run.json has of it."""
@@ -593,15 +606,38 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
                 future.cancel()
 
 
+def _run_of(each):
+    """The run of a member of an ensemble; a run itself."""
+    if isinstance(each, Member):
+        if each.run is None:
+            raise Error(f"the member {each.parameters} has no run to draw: {each.error}")
+        return each.run
+    if not isinstance(each, Run):
+        raise Error(f"a {type(each).__name__} is no run: give what run, read or ensemble return, or a list of them")
+    return each
+
+
+def _label_of(member):
+    return ", ".join(f"{key} = {value}" for key, value in member.parameters.items())
+
+
 def plot_force(runs, axes=None, against="displacement", component="F", plate=None, labels=None):
-    """Draws the force on a plate (the first one, or the one of this name) of one run or of many; returns the axes."""
+    """Draws the force on a plate (the first one, or the one of this name) of one run, of many, or of an ensemble; returns the axes.
+
+    labels  one for each; those of an ensemble are its parameters where none are given
+    """
     import matplotlib.pyplot
-    axes = axes or matplotlib.pyplot.subplots()[1]
-    runs = [runs] if isinstance(runs, Run) else list(runs)
-    for k, each in enumerate(runs):
-        table = each.plate_force
+    runs = [runs] if isinstance(runs, (Run, Member)) else list(runs)
+    if not runs:
+        raise Error("there is no run to draw")
+    if labels is None and all(isinstance(each, Member) and each.parameters for each in runs):
+        labels = [_label_of(each) for each in runs]
+    tables = [_run_of(each).plate_force for each in runs]
+    for each, table in zip(runs, tables):
         if not len(table):
             raise Error(f"no plate, no force: {each}")
+    axes = axes or matplotlib.pyplot.subplots()[1]
+    for k, table in enumerate(tables):
         curve = table.where(plate=plate or table["plate"][0])
         axes.plot(curve[against], curve[component], label=labels[k] if labels else None, linewidth=1)
     axes.set_xlabel(f"{against} [{table.unit(against)}]")

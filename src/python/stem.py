@@ -15,7 +15,7 @@ import furrow
 
 
 def main(figure):
-    run = furrow.run(pathlib.Path(__file__).with_name("stem.toml"))
+    run = furrow.run(pathlib.Path(__file__).with_name("stem.toml"), set={"output.frames": [0.0, 0.4, 0.7, 1.0]})
     print(f"{run.json['ended']}: {len(run.events)} links torn, largest force {max(run.plate_force['F']):.1f} N")
     plt.rcParams["svg.hashsalt"] = "furrow"  # the same file each time
     picture, (above, below) = plt.subplots(2, 1, figsize=(7, 4.6), height_ratios=[2, 3])

@@ -99,6 +99,23 @@ class Runs(unittest.TestCase):
         changed = {"plate[0].velocity": [0.2, 0.0], "lattice[0].damper": "full"} | SHORT
         self.assertEqual(furrow.run(FIRST, changed).scene, furrow.run(scene).scene)
 
+    def test_of_a_file_that_is_not_there_the_true_reason_is_said(self):
+        run = furrow.run(DISC, {"output.frames": []}, out=self.place / "run")
+        for name, wanted in (("drive_force.csv", "its scene drives no nodes of a lattice"),
+                             ("frames/discs_000.csv", "the run has 0 pictures; output.frames asks for them"),
+                             ("forces.csv", "a run writes no such file; its files are energy.csv, .*wall_force.csv")):
+            with self.subTest(name), self.assertRaisesRegex(furrow.Error, f"has no {name}: {wanted}"):
+                run.table(name)
+        with self.assertRaisesRegex(furrow.Error, "has no frames/discs_003.csv: the run has 3 pictures, 0 to 2"):
+            furrow.run(DISC).frame(3)
+        (run.directory / "motion.csv").unlink()
+        with self.assertRaisesRegex(furrow.Error, "has no motion.csv: it was written and is gone"):
+            run.motion
+        with self.assertRaises(furrow.RunFailed):
+            furrow.run(FIRST, {"time.step": 0.01}, out=self.place / "failed")
+        with self.assertRaisesRegex(furrow.Error, "has no drive_force.csv: its scene drives no nodes"):
+            furrow.read(self.place / "failed").drive_force
+
     def test_every_output_is_a_table_with_names_and_units(self):
         run = furrow.run(FIRST, {"time.end": 0.6}, out=self.place / "a")
         for name in ("plate_force", "energy", "motion", "events", "state", "frames"):
@@ -456,6 +473,26 @@ class WithOtherPackages(unittest.TestCase):
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("displacement [m]", "Fx [N]"))
         with self.assertRaisesRegex(furrow.Error, "no plate, no force"):
             furrow.plot_force(furrow.run(DISC))
+
+    def test_the_curves_of_an_ensemble_are_drawn_as_they_are_and_named_by_their_parameters(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        vary = {"plate[0].lower_edge": [0.06, 0.065]}
+        members = list(furrow.ensemble(FIRST, vary, set={"time.end": 0.3}))
+        axes = furrow.plot_force(members)
+        for line, member in zip(axes.lines, members, strict=True):
+            self.assertTrue((line.get_ydata() == member.run.plate_force["F"]).all())
+        self.assertEqual([line.get_label() for line in axes.lines], ["plate[0].lower_edge = 0.06", "plate[0].lower_edge = 0.065"])
+        self.assertEqual(len(furrow.plot_force(members[1]).lines), 1)
+        self.assertEqual(furrow.plot_force(members, labels=["a", "b"]).lines[1].get_label(), "b")
+        self.assertEqual(len(furrow.plot_force(furrow.ensemble(FIRST, vary, set={"time.end": 0.3})).lines), 2)
+
+    def test_what_has_no_curve_is_named(self):
+        failed = furrow.ensemble(FIRST, {"time.step": [0.01]}, keep_failures=True)
+        for given, wanted in ((failed, r"the member \{'time.step': 0.01\} has no run to draw: furrow ended with exit code 3"),
+                              ([], "no run to draw"), (["scene.toml"], "a str is no run")):
+            with self.assertRaisesRegex(furrow.Error, wanted):
+                furrow.plot_force(given)
 
     def test_a_picture_has_every_disc_link_and_plate_where_it_is(self):
         import matplotlib
