@@ -24,6 +24,7 @@
 namespace {
 
 namespace fs = std::filesystem;
+using furrow::benchmarks::agrees_early;
 using furrow::benchmarks::Bed;
 using furrow::benchmarks::early_agreement;
 using furrow::benchmarks::Interval;
@@ -167,7 +168,8 @@ Entry looked_at(const Bed& bed, const Rival& rival, const Band& band) {
     const Seen seen = look(bed, rival);
     entry.json["height"] = rounded(seen.height);
     entry.json["push"] = rounded(seen.push);
-    entry.json["agrees"] = band.holds(seen);
+    entry.json["agrees_early"] = agrees_early(entry.json["early"]);
+    entry.json["agrees"] = entry.json["agrees_early"] && band.holds(seen);
   } catch (const std::exception& failure) {
     entry.json["error_occurred"] = true;
     entry.json["error_message"] = failure.what();
@@ -231,7 +233,9 @@ void conclude(Entry& entry, const std::vector<double>& own, double contacts, Jso
   std::printf("%-28s %8.2f us a step   %6.2f [%5.2f, %5.2f]   height %.4f m, push %6.1f N%s\n",
               entry.rival.name.c_str(), 1e6 * time.middle, ratio.middle, ratio.low, ratio.high,
               json["height"].get<double>(), json["push"].get<double>(),
-              json["agrees"] ? "" : "   does not agree: not ranked");
+              json["agrees"]         ? ""
+              : json["agrees_early"] ? "   does not agree: not ranked"
+                                     : "   does not agree before chaos: not ranked");
 }
 
 int compare(const fs::path& decks, const fs::path& work, const fs::path& program, const fs::path& result, int rounds) {
@@ -267,7 +271,9 @@ int compare(const fs::path& decks, const fs::path& work, const fs::path& program
   for (Entry& entry : entries) {
     conclude(entry, entries[0].times.cpu, contacts, json["benchmarks"]);
   }
-  std::printf("To agree: height %.4f +- %.4f m, push %.1f +- %.1f N\n", band.height, band.height_tolerance, band.push,
+  std::printf("To agree: push before chaos, mu = 0, of order %.2g at least and off by less than %.0e at 1e-5 s\n",
+              furrow::benchmarks::least_early_order, furrow::benchmarks::most_early_error);
+  std::printf("and height %.4f +- %.4f m, push %.1f +- %.1f N\n", band.height, band.height_tolerance, band.push,
               band.push_tolerance);
   furrow::OutputFile file = furrow::OutputFile::replacing(result);
   file << json.dump(1) << "\n";

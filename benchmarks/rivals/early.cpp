@@ -61,6 +61,12 @@ double error_of(const Rows& rows, const Rows& reference) {
 
 }  // namespace
 
+bool agrees_early(const nlohmann::ordered_json& of_each_friction) {
+  const auto& smooth = of_each_friction.at(0);
+  return smooth.at("order").get<double>() >= least_early_order &&
+         smooth.at("errors").at(1).get<double>() < most_early_error;
+}
+
 nlohmann::ordered_json early_agreement(const Bed& bed, const Rival& rival) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const double friction : {0.0, bed.prepared.scene.contact.friction}) {

@@ -39,6 +39,9 @@ std::vector<KeyRow> lammps_deviations(const Prepared& prepared);
 // key that is none.
 void refuse_deviations(const std::vector<KeyRow>& deviations, const std::vector<std::string>& allowed);
 
+// Allowed keys that do not deviate in this scene: nothing is exported otherwise for them.
+std::vector<std::string> needless(const std::vector<std::string>& allowed, const std::vector<KeyRow>& deviations);
+
 // The same start as a scene: settled, every disc listed, nodes where they are. Tangential springs are not in it.
 Scene started_scene(const Prepared& prepared);
 

@@ -171,4 +171,13 @@ void refuse_deviations(const std::vector<KeyRow>& deviations, const std::vector<
   if (!refused.empty()) throw std::invalid_argument("LAMMPS cannot run this scene as it stands:" + refused);
 }
 
+std::vector<std::string> needless(const std::vector<std::string>& allowed, const std::vector<KeyRow>& deviations) {
+  std::vector<std::string> all;
+  for (const std::string& key : allowed) {
+    const auto is_it = [&](const KeyRow& row) { return row.key == key; };
+    if (std::none_of(deviations.begin(), deviations.end(), is_it)) all.push_back(key);
+  }
+  return all;
+}
+
 }  // namespace furrow

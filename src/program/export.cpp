@@ -96,6 +96,8 @@ int export_command(const ExportOptions& options) {
   const Prepared prepared = prepared_with_progress(options);
   const std::vector<KeyRow> deviations = lammps_deviations(prepared);
   refuse_deviations(deviations, options.allow);
+  for (const std::string& key : needless(options.allow, deviations))
+    std::fprintf(stderr, "furrow: note: --allow %s: the scene does not deviate there\n", key.c_str());
   const fs::path directory = options.scene.directory;
   write_deck(directory, deck_files(prepared, deviations));
   for (const KeyRow& row : deviations)

@@ -113,6 +113,29 @@ TEST_F(Export, AKeyThatDoesNotExistCannotBeAllowed) {
   EXPECT_NE(err().find("did you mean \"model.moment_arm\"?"), std::string::npos) << err();
 }
 
+TEST_F(Export, AKeyThatDoesNotDeviateIsAllowedForNothingAndSaidSo) {
+  put("scene.toml", discs());
+  ASSERT_EQ(furrow("export scene.toml --to lammps --out deck --allow model.moment_arm").code, 0) << err();
+  EXPECT_NE(err().find("note: --allow model.moment_arm: the scene does not deviate there"), std::string::npos) << err();
+  ASSERT_EQ(furrow("export scene.toml --to lammps --out deck --allow model.moment_arm --set contact.friction=0.3").code,
+            0);
+  EXPECT_EQ(err().find("note: --allow"), std::string::npos) << err();
+}
+
+// An overlap of 0 at t = 0 says nothing of the one that they will have.
+TEST_F(Export, HowFarTheArmIsOffIsNotKnownBeforeDiscsTouch) {
+  put("scene.toml", discs());
+  EXPECT_EQ(furrow("export scene.toml --to lammps --out deck --set contact.friction=0.3").code, 2);
+  EXPECT_EQ(err().find(" 0 of R"), std::string::npos) << err();
+  EXPECT_NE(err().find("not known before they touch"), std::string::npos) << err();
+}
+
+TEST_F(Export, WhatWasMeasuredInOtherScenesIsSaidToBe) {
+  put("scene.toml", impact("slip_damping = true", "restitution = 0.5, friction = 0.3"));
+  EXPECT_EQ(furrow("export scene.toml --to lammps --out deck").code, 2);
+  EXPECT_NE(err().find("in this scene is not known before it runs"), std::string::npos) << err();
+}
+
 TEST_F(Export, AnEngineThatIsNotKnownIsAnError) {
   put("scene.toml", discs());
   EXPECT_EQ(furrow("export scene.toml --to yade --out deck").code, 2);

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -40,6 +44,35 @@ TEST(Engines, EachThatIsWrongOnPurposeIsFoundByACase) {
     const Judgement j = judge_case(case_named(wrong.found_by), wrong.answer);
     EXPECT_GT(j.verdict, CaseVerdict::cannot) << wrong.name << " in " << wrong.found_by << ": " << j.words;
   }
+}
+
+// A row of the matrix of engines that are wrong on purpose by quick cases: each verdict's sign, as scripts/judge prints it.
+std::string row_of(const WrongEngine& wrong, const std::vector<std::string>& quick) {
+  constexpr char signs[] = {'+', '.', 'o', 'X', '!'};
+  std::string row;
+  for (const std::string& name : quick)
+    row += signs[static_cast<int>(judge_case(case_named(name), wrong.answer).verdict)];
+  return row;
+}
+
+// Wrong engines, 22 of them, by the cases that find one each: none has an empty row. Prints the matrix, and writes it to the
+// file that FURROW_MATRIX names.
+TEST(Engines, TheMatrixOfWrongOnesByQuickCasesHasNoEmptyRow) {
+  std::vector<std::string> quick;
+  for (const WrongEngine& wrong : wrong_engines()) {
+    if (std::find(quick.begin(), quick.end(), wrong.found_by) == quick.end()) quick.push_back(wrong.found_by);
+  }
+  std::sort(quick.begin(), quick.end());
+  std::string text;
+  for (std::size_t k = 0; k < quick.size(); ++k) text += std::string(36 + k, ' ') + quick[k] + "\n";
+  for (const WrongEngine& wrong : wrong_engines()) {
+    const std::string row = row_of(wrong, quick);
+    EXPECT_NE(row.find_first_of("oX!"), std::string::npos) << wrong.name << ": no case tells it from the right one";
+    text += wrong.name + std::string(36 - std::min<std::size_t>(wrong.name.size(), 35), ' ') + row + "\n";
+  }
+  text += "\n+ right   o of lower order   X another law   ! failed   . cannot\n";
+  std::printf("%s", text.c_str());
+  if (const char* file = std::getenv("FURROW_MATRIX")) std::ofstream(file) << text;
 }
 
 TEST(Engines, TheExampleOfTheProtocolIsRightWhereItClaimsToBe) {

@@ -22,6 +22,7 @@ constexpr std::array<Sign, 5> signs{{{"right", "✓", "good"},
                                      {"another law", "✗", "bad"},
                                      {"failed", "!", "bad"},
                                      {"cannot", "–", "none"}}};
+constexpr const char* not_asked = "·";  // of "cannot", where it is the adapter that cannot
 
 std::string name_of(const Json& engine) {
   const std::string program = engine.at("engine"), method = engine.at("method");
@@ -36,6 +37,17 @@ Json said_of(const Json& engine, const std::string& name) {
   return found == engine.at("verdicts").end() ? Json() : *found;
 }
 
+// A program between the judge and an engine, which has no way to ask for a case, says so; the engine may well do it.
+bool of_adapter(const Json& said) {
+  return said.at(0) == "cannot" && said.at(1).get<std::string>().starts_with("this adapter");
+}
+
+// With which a reader sees a row for himself; empty of judgements that do not say which program was asked.
+std::string command_of(const Json& engine, const std::string& name) {
+  const std::string asked = engine.value("command", "");
+  return asked.empty() ? "" : "furrow judge --engine '" + asked + "' --cases " + name;
+}
+
 std::map<std::string, int> counts_of(const Json& engine) {
   std::map<std::string, int> counts;
   for (const auto& [name, said] : engine.at("verdicts").items()) ++counts[said.at(0).get<std::string>()];
@@ -48,8 +60,9 @@ std::string cell_of(const Json& said) {
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const Sign& s) { return s.verdict == verdict; });
   if (sign == signs.end()) return element("td", escaped(verdict));
   return "<td class=\"judged " + std::string(sign->kind) + "\" title=\"" +
-         escaped(verdict + ": " + said.at(1).get<std::string>()) + "\"><span aria-hidden=\"true\">" + sign->sign +
-         "</span><span class=\"unseen\">" + verdict + "</span></td>\n";
+         escaped(verdict + ": " + said.at(1).get<std::string>()) + "\"><span aria-hidden=\"true\">" +
+         (of_adapter(said) ? not_asked : sign->sign) + "</span><span class=\"unseen\">" + verdict +
+         (of_adapter(said) ? ", of the adapter" : "") + "</span></td>\n";
 }
 
 std::string matrix(const Json& kept, Page& page) {
@@ -64,6 +77,7 @@ std::string matrix(const Json& kept, Page& page) {
   }
   std::string legend;
   for (const Sign& s : signs) legend += (legend.empty() ? "" : ", ") + std::string(s.sign) + " " + s.verdict;
+  legend += ": the engine, " + std::string(not_asked) + " cannot: this adapter";
   return framed({page.id("table cases by engines"), "Cases by engines: " + legend + ".", "Cases by engines",
                  "matrix plain", head, rows});
 }
@@ -80,24 +94,32 @@ std::string instead(const Json& kept, Page& page) {
         rows += element("tr", element("td", escaped(name_of(engine))) +
                                   element("td", typeset(escaped(kept.at("cases").value(name, name)))) +
                                   element("td", chip_or_words(verdict)) +
-                                  element("td", typeset(escaped(said.at(1).get<std::string>()))));
+                                  element("td", typeset(escaped(said.at(1).get<std::string>()))) +
+                                  element("td", element("code", escaped(command_of(engine, name)))));
       }
     }
   }
   if (rows.empty()) return {};
   return framed({page.id("table what engines do instead"), "Where an answer is not right, what it is instead.",
                  "What engines do instead", "study grouped",
-                 head_cell("Engine") + head_cell("Case") + head_cell("Verdict") + head_cell("What it does"), rows});
+                 head_cell("Engine") + head_cell("Case") + head_cell("Verdict") + head_cell("What it does") +
+                     head_cell("The command that shows it"),
+                 rows});
 }
 
 std::string counts(const Json& kept, Page& page) {
   std::string head = head_cell("Engine"), rows;
-  for (const Sign& s : signs) head += head_cell(s.verdict, true);
+  for (const Sign& s : signs)
+    head += head_cell(s.verdict == std::string("cannot") ? "cannot: the engine" : s.verdict, true);
+  head += head_cell("cannot: this adapter", true);
   for (const Json& engine : kept.at("engines")) {
-    const auto of = counts_of(engine);
+    auto of = counts_of(engine);
+    const auto adapter = std::count_if(engine.at("verdicts").begin(), engine.at("verdicts").end(), of_adapter);
+    of["cannot"] -= static_cast<int>(adapter);
     std::string cells = "<th scope=\"row\">" + escaped(name_of(engine)) + "</th>";
     for (const Sign& s : signs)
       cells += element("td", std::to_string(of.contains(s.verdict) ? of.at(s.verdict) : 0), "number");
+    cells += element("td", std::to_string(adapter), "number");
     rows += element("tr", cells);
   }
   return framed({page.id("table verdicts by engine"), "How many cases each engine gets right.", "Verdicts by engine",
@@ -123,7 +145,9 @@ std::string judged_in_short(const std::filesystem::path& file) {
   const Json kept = read_sealed(file);
   std::string words;
   for (const Json& engine : kept.at("engines")) {
-    if (own(engine) || !engine.value("foreign", false)) continue;
+    const bool variant =
+        engine.at("engine").get<std::string>().find(',') != std::string::npos;  // an engine asked otherwise
+    if (own(engine) || variant || !engine.value("foreign", false)) continue;
     const auto counts = counts_of(engine);
     const auto number = [&](const char* verdict) { return counts.contains(verdict) ? counts.at(verdict) : 0; };
     const auto can = static_cast<int>(kept.at("cases").size()) - number("cannot");
@@ -143,14 +167,18 @@ std::string judgements_section(const std::filesystem::path& file, const std::str
   if (!why.empty()) return begin + element("p", escaped(why), "missing") + "</section>\n";
   const Json kept = read_sealed(file);
   return begin +
-         element("p",
-                 "Does an engine solve the equations that it is asked to solve? <code>furrow judge</code> gives small "
-                 "problems with a closed form or an integrated answer to any program, each at three or more "
-                 "resolutions, and looks where its answers go. Right: the error falls as the method promises, or is "
-                 "below a floor. Another law: the answers settle on something else, so that a finer step does not "
-                 "help. Cannot: the engine said so itself. Furrow is judged by each of its methods; the independent "
-                 "engine shares nothing with it.",
-                 "lead") +
+         element(
+             "p",
+             "Does an engine solve the equations that it is asked to solve? <code>furrow judge</code> gives small "
+             "problems with a closed form or an integrated answer to any program, each at three or more "
+             "resolutions, and looks where its answers go. Right: the error falls as the method promises, or is "
+             "below a floor. Another law: the answers settle on something else, so that a finer step does not "
+             "help. Cannot: the engine has no such law, or the adapter, the small program that asks it, has no way to "
+             "ask. Furrow is judged by each of its methods that take a fixed step: one that controls its error "
+             "chooses its own step, so that there are no resolutions to ask for, and its step "
+             "against its estimate is verified by a page of its own (step control). The independent engine shares "
+             "nothing with it.",
+             "lead") +
          element("p",
                  "To judge an engine of your own: a program that takes a case as JSON on its standard input and prints "
                  "what it saw as JSON. <code>furrow cases --protocol</code> says how on one page, with an example of "

@@ -2,62 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 #include "scene/interrupt.h"
-#include "scene/wording.h"
 #include "verification/engines/asked.h"
+#include "verification/engines/convergence.h"
 
 namespace furrow::verification {
 namespace {
-
-// An observed order may be below the predicted one by so much: at three resolutions the next term of the error, and the
-// phase in which events fall into steps, bend the slope by up to a third.
-constexpr double slack = 0.35;
-// Less is no order: nothing is arrived at.
-constexpr double least_order = 0.4;
-// Resolutions within this factor belong together.
-constexpr double close = 1.2;
-
-std::string few(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-// Errors by resolution; of resolutions that are close to each other the root of the mean square, so that the phase in
-// which an event falls into a step makes less of a difference.
-struct Errors {
-  std::vector<double> steps, error;
-};
-
-Errors grouped(const std::vector<int>& steps, const std::vector<double>& errors) {
-  Errors all;
-  std::size_t begin = 0;
-  while (begin < steps.size()) {
-    double logs = 0, squares = 0, count = 0;
-    std::size_t k = begin;
-    for (; k < steps.size() && steps[k] < close * steps[begin]; ++k, ++count) {
-      logs += std::log(steps[k]);
-      squares += errors[k] * errors[k];
-    }
-    all.steps.push_back(std::exp(logs / count));
-    all.error.push_back(std::sqrt(squares / count));
-    begin = k;
-  }
-  return all;
-}
-
-double slope(const Errors& errors) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0, n = 0;
-  for (std::size_t k = 0; k < errors.steps.size(); ++k) {
-    if (!(errors.error[k] > 0)) continue;
-    const double x = -std::log(errors.steps[k]), y = std::log(errors.error[k]);
-    sx += x, sy += y, sxx += x * x, sxy += x * y, ++n;
-  }
-  return n < 2 ? NAN : (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
 
 Finding said(Finding f, CaseVerdict verdict, const std::string& words) {
   f.verdict = verdict;
@@ -78,11 +30,6 @@ Finding judge_time(Finding f, const Json& seen, const std::vector<double>& h) {
   return said(f, CaseVerdict::another_law, "off by " + few(worst) + " steps");
 }
 
-double scale_of(const Json& seen, double expected) {
-  if (seen.contains("scale")) return seen["scale"];
-  return std::fabs(expected) > 0 ? std::fabs(expected) : 1;
-}
-
 Finding judge_interval(Finding f, const Json& seen) {
   const double low = seen["interval"][0], high = seen["interval"][1], got = f.values.back();
   f.expected = (low + high) / 2;
@@ -98,56 +45,6 @@ Finding judge_exact(Finding f, const Json& seen) {
   if (f.error <= seen["floor"].get<double>()) return said(f, CaseVerdict::right, "the same at every resolution");
   f.limit = f.values.back();
   return said(f, CaseVerdict::another_law, few(f.values.back()) + " in place of " + few(f.expected));
-}
-
-// How far the values may still be from where they go if the last change is one of this order: an error C h^p changes by
-// C h^p (r^p - 1) from the resolution before, with steps r times as long, and by little more or less with the phase of
-// events. Of resolutions that are close to each other the two that differ most count, since a change may be small by
-// chance. Earlier changes say nothing: coarse values may be wild.
-double left_to_go(const std::vector<int>& steps, const std::vector<double>& values, double order) {
-  constexpr double phase = 1.8;
-  const auto begin_of_group = [&](std::size_t end) {
-    std::size_t begin = end - 1;
-    while (begin > 0 && steps[end - 1] < close * steps[begin - 1]) --begin;
-    return begin;
-  };
-  const std::size_t last = begin_of_group(values.size());
-  double most = 0;
-  for (std::size_t i = last > 0 ? begin_of_group(last) : 0; i < last; ++i) {
-    for (std::size_t k = last; k < values.size(); ++k) {
-      const double growth = std::pow(static_cast<double>(steps[k]) / steps[i], order) - 1;
-      most = std::max(most, phase * std::fabs(values[k] - values[i]) / growth);
-    }
-  }
-  return most;
-}
-
-Finding judge_converging(Finding f, const Json& seen, const std::vector<int>& steps, double claimed) {
-  const double scale = scale_of(seen, f.expected), floor = seen["floor"];
-  std::vector<double> errors;
-  for (const double value : f.values) errors.push_back(std::fabs(value - f.expected) / scale);
-  const Errors by_step = grouped(steps, errors);
-  f.error = by_step.error.back();
-  f.order = slope(by_step);
-  f.limit = f.values.back();
-  if (f.error <= floor) return said(f, CaseVerdict::right, "error " + few(f.error));
-  const double predicted = std::min(claimed, seen["limit"].get<double>());
-  const std::string orders =
-      "error " + few(f.error) + ", order " + few(f.order) + " (" + few(predicted) + " predicted)";
-  const auto arrives = [&](double order) {
-    return f.order >= order && f.error * scale <= left_to_go(steps, f.values, std::min(order, 1.0)) + floor * scale;
-  };
-  if (arrives(predicted - slack)) return said(f, CaseVerdict::right, orders);
-  if (arrives(least_order)) return said(f, CaseVerdict::lower_order, orders);
-  const std::size_t n = f.values.size();
-  const double last = std::fabs(f.values[n - 1] - f.values[n - 2]), first = std::fabs(f.values[1] - f.values[0]);
-  const bool settles = last < 0.7 * first || last <= floor * scale || last < 0.1 * f.error * scale;
-  constexpr int digits = 8;  // enough to tell two apart that are taken for different ones
-  if (settles)
-    return said(f, CaseVerdict::another_law,
-                "goes to " + rounded(f.limit, digits) + " in place of " + rounded(f.expected, digits) + ", off by " +
-                    few(f.error));
-  return said(f, CaseVerdict::failed, "does not converge: " + orders);
 }
 
 Json with_defaults(Json seen, const Json& whole) {
@@ -192,6 +89,7 @@ double scale_of_own(const Json& seen, const std::vector<Json>& own) {
 }
 
 void judge_answers(Judgement& j, const Json& whole, const Asked& asked, const std::vector<Json>& own) {
+  j.findings.clear();
   if (!whole.contains("observe") || whole["observe"].empty()) throw std::runtime_error("the case observes nothing");
   std::vector<double> h;
   for (const int steps : j.steps) h.push_back(whole["unit"].get<double>() / steps);
@@ -207,6 +105,40 @@ void judge_answers(Judgement& j, const Json& whole, const Asked& asked, const st
     }
     j.findings.push_back(judge_observable(seen, j.steps, h, values, j.claimed));
   }
+}
+
+// Values that neither arrive nor settle at the resolutions of a case may do so at so many finer ones.
+constexpr int most_refinements = 2;
+
+bool undecided(const Judgement& j) {
+  const auto open = [](const Finding& f) { return f.undecided; };
+  return std::any_of(j.findings.begin(), j.findings.end(), open);
+}
+
+// Asks with twice as many steps as the finest resolutions that are close to each other; false if the engine does not
+// answer there: then what it said before stands.
+bool refine(Judgement& j, const Json& whole, const Engine& engine, Asked& asked) {
+  if (whole.contains("view")) return false;  // its other case would have to follow
+  const std::size_t known = j.steps.size();
+  std::size_t begin = known - 1;
+  while (begin > 0 && j.steps[known - 1] < close_resolutions * j.steps[begin - 1]) --begin;
+  Judgement finer = j;
+  finer.steps.clear();
+  for (std::size_t k = begin; k < known; ++k) finer.steps.push_back(2 * j.steps[k]);
+  try {
+    const Asked more = ask(whole, engine, finer);
+    if (more.cannot || finer.claimed != j.claimed) return false;
+    for (const Json& answer : more.answers) {
+      for (const Json& seen : whole["observe"]) value_of(answer, seen["name"]);
+    }
+    asked.answers.insert(asked.answers.end(), more.answers.begin(), more.answers.end());
+  } catch (const Interrupted&) {  // no word of the engine
+    throw;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  j.steps.insert(j.steps.end(), finer.steps.begin(), finer.steps.end());
+  return true;
 }
 
 }  // namespace
@@ -231,18 +163,19 @@ Finding judge_observable(const Json& seen, const std::vector<int>& steps, const 
 Judgement judge_case(const Json& whole, const Engine& engine) {
   Judgement j{.name = whole["name"], .title = whole["title"], .steps = whole["steps"].get<std::vector<int>>()};
   try {
-    const Asked asked = ask(whole, engine, j);
-    std::vector<Json> own;
+    Asked asked = ask(whole, engine, j);
+    Asked other;
     if (asked.cannot) {
       j.verdict = CaseVerdict::cannot, j.words = *asked.cannot;
       return j;
     }
     if (whole.contains("view")) {
-      const Asked other = ask(case_named(whole["view"]["of"]), engine, j);
+      other = ask(case_named(whole["view"]["of"]), engine, j);
       if (other.cannot) throw std::runtime_error("it can do this view alone: " + *other.cannot);
-      own = other.answers;
     }
-    judge_answers(j, whole, asked, own);
+    judge_answers(j, whole, asked, other.answers);
+    for (int finer = 0; finer < most_refinements && undecided(j) && refine(j, whole, engine, asked); ++finer)
+      judge_answers(j, whole, asked, other.answers);
     conclude(j);
   } catch (const Interrupted&) {  // no word of the engine
     throw;

@@ -1,6 +1,7 @@
 // What is to be said of an engine: its answers at several resolutions against the expected values of a case.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,15 +22,18 @@ struct Finding {  // of one observable
   double error = 0;            // of the last value, over the scale; of kind step: in steps
   double order = 0;            // observed; NaN if nothing falls
   double limit = 0;            // what it converges to if that is something else
-  std::string words;           // why
+  double left = NAN;       // how far `limit` may still be from where the values go; NaN unless they settle elsewhere
+  bool undecided = false;  // failed, but finer resolutions may say more
+  std::string words;       // why
 };
 
 struct Judgement {
   std::string name, title, engine, method;
-  double claimed = 0;  // order
+  std::string command;  // that was asked; empty if it is no program
+  double claimed = 0;   // order
   CaseVerdict verdict = CaseVerdict::failed;
   std::string words;
-  std::vector<int> steps;
+  std::vector<int> steps;  // those of the case; up to twice twice as many if it stayed undecided
   std::vector<Finding> findings;
 };
 

@@ -92,6 +92,24 @@ void refuse_foreign(const std::string& file, std::string_view begins) {
     throw FileError(file + " is there and is no result of furrow judge; move it away, or name another file");
 }
 
+void write_judgements(const JudgeOptions& options, const std::vector<Judgement>& all, const std::string& partial) {
+  if (!options.json.empty()) replace_file(options.json, judgements_as_json(all, partial).dump(1) + "\n");
+  if (!options.junit.empty()) replace_file(options.junit, judgements_as_junit(all, partial));
+}
+
+void judge_each(const std::vector<Json>& cases, const JudgeOptions& options, std::vector<Judgement>& all) {
+  const Engine engine = program_engine(options.engine, options.limit);
+  Progress progress;
+  for (const Json& c : cases) {
+    throw_if_interrupted();
+    progress.show(c["name"], "judging", static_cast<double>(all.size()), static_cast<double>(cases.size()));
+    all.push_back(judge_case(c, engine));
+    all.back().command = options.engine;
+    std::printf("%s\n", table_row(all.back()).c_str());
+    flush_standard_output();
+  }
+}
+
 int judge_command(const JudgeOptions& options) {
   const auto place = [](const std::string& file) { return std::filesystem::weakly_canonical(file); };
   if (!options.json.empty() && !options.junit.empty() && place(options.json) == place(options.junit))
@@ -99,19 +117,16 @@ int judge_command(const JudgeOptions& options) {
   refuse_foreign(options.json, judgements_begin_json);
   refuse_foreign(options.junit, judgements_begin_junit);
   const std::vector<Json> cases = cases_like(options.patterns);
-  const Engine engine = program_engine(options.engine, options.limit);
   std::vector<Judgement> all;
-  Progress progress;
-  for (const Json& c : cases) {
-    throw_if_interrupted();
-    progress.show(c["name"], "judging", static_cast<double>(all.size()), static_cast<double>(cases.size()));
-    all.push_back(judge_case(c, engine));
-    std::printf("%s\n", table_row(all.back()).c_str());
-    flush_standard_output();
+  try {
+    judge_each(cases, options, all);
+  } catch (const Interrupted&) {  // what was judged so far is kept, and marked
+    const std::string partial = std::to_string(all.size()) + " of " + std::to_string(cases.size()) + " cases";
+    if (!all.empty()) write_judgements(options, all, partial);
+    throw;
   }
   std::printf("\n%s\n", count_line(all).c_str());
-  if (!options.json.empty()) replace_file(options.json, judgements_as_json(all).dump(1) + "\n");
-  if (!options.junit.empty()) replace_file(options.junit, judgements_as_junit(all));
+  write_judgements(options, all, "");
   return exit_code_of(all);
 }
 

@@ -29,6 +29,7 @@ Json finding_as_json(const Finding& f) {
            {"expected", f.expected}, {"values", f.values}, {"error", f.error}};
   if (std::isfinite(f.order) && f.order != 0) one["order"] = f.order;
   if (f.verdict == CaseVerdict::another_law) one["limit"] = f.limit;
+  if (std::isfinite(f.left)) one["left"] = f.left;
   one["words"] = f.words;
   return one;
 }
@@ -51,7 +52,7 @@ std::string count_line(const std::vector<Judgement>& all) {
   return std::to_string(all.size()) + " cases: " + line;
 }
 
-Json judgements_as_json(const std::vector<Judgement>& all) {
+Json judgements_as_json(const std::vector<Judgement>& all, const std::string& partial) {
   Json list = Json::array();
   for (const Judgement& j : all) {
     Json findings = Json::array();
@@ -65,17 +66,20 @@ Json judgements_as_json(const std::vector<Judgement>& all) {
                     {"words", j.words},
                     {"steps", j.steps},
                     {"observables", findings}});
+    if (!j.command.empty()) list.back()["command"] = j.command;
+    if (!partial.empty()) list.back()["partial"] = partial;
   }
   return list;
 }
 
-std::string judgements_as_junit(const std::vector<Judgement>& all) {
+std::string judgements_as_junit(const std::vector<Judgement>& all, const std::string& partial) {
   const auto bad =
       std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict > CaseVerdict::cannot; });
   const auto skipped =
       std::count_if(all.begin(), all.end(), [](const Judgement& j) { return j.verdict == CaseVerdict::cannot; });
   std::string text = std::string(judgements_begin_junit) + " tests=\"" + std::to_string(all.size()) + "\" failures=\"" +
-                     std::to_string(bad) + "\" skipped=\"" + std::to_string(skipped) + "\">\n";
+                     std::to_string(bad) + "\" skipped=\"" + std::to_string(skipped) + "\"" +
+                     (partial.empty() ? "" : " errors=\"1\"") + ">\n";
   for (const Judgement& j : all) {
     text += "  <testcase classname=\"" + escaped(j.engine) + "\" name=\"" + escaped(j.name) + "\">";
     const std::string message = " message=\"" + escaped(to_string(j.verdict) + ": " + j.words) + "\"/>";
@@ -83,6 +87,10 @@ std::string judgements_as_junit(const std::vector<Judgement>& all) {
     if (j.verdict > CaseVerdict::cannot) text += "<failure" + message;
     text += "</testcase>\n";
   }
+  if (!partial.empty())
+    text +=
+        "  <testcase classname=\"furrow judge\" name=\"all cases\"><error message=\"interrupted: " + escaped(partial) +
+        "\"/></testcase>\n";
   return text + "</testsuite>\n";
 }
 

@@ -16,7 +16,8 @@ inline constexpr std::string_view judgements_begin_junit =
 
 std::string table_row(const Judgement& j);
 std::string count_line(const std::vector<Judgement>& all);
-Json judgements_as_json(const std::vector<Judgement>& all);
-std::string judgements_as_junit(const std::vector<Judgement>& all);
+// `partial` says how much was judged if not all was, as "3 of 57 cases": in JSON a key of each judgement, in JUnit an error.
+Json judgements_as_json(const std::vector<Judgement>& all, const std::string& partial = "");
+std::string judgements_as_junit(const std::vector<Judgement>& all, const std::string& partial = "");
 
 }  // namespace furrow::verification

@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 SIGN = {"right": "+", "lower order": "o", "another law": "X", "failed": "!", "cannot": "."}
-FIRST = ["independent", "lammps", "liggghts", "yade", "furrow_pece"]  # the columns that a reader looks for
+FIRST = ["independent", "lammps", "lammps_material_walls", "liggghts", "yade", "furrow_pece"]  # the columns that a reader looks for
 
 
 def place(name):
@@ -40,7 +40,7 @@ def kept(verdicts):
     for name, of_engine in verdicts.items():
         one = next((j for j in of_engine.values() if j["engine"]), {"engine": name, "method": ""})
         said = {case: [j["verdict"], "" if j["verdict"] == "right" else j["words"]] for case, j in sorted(of_engine.items())}
-        engines.append({"engine": one["engine"], "method": one["method"],
+        engines.append({"engine": one["engine"], "method": one["method"], "command": one.get("command", ""),
                         "foreign": not name.startswith("furrow_") and name != "independent", "verdicts": said})  # fmt: skip
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     now = datetime.datetime.now(datetime.timezone.utc)
@@ -72,6 +72,10 @@ def main(folder, file=None):
         print(f"matrix.py: {folder} has no verdicts", file=sys.stderr)
         return 4
     show(verdicts)
+    partial = [f"{name} ({j['partial']})" for name, of_engine in verdicts.items() for j in list(of_engine.values())[:1] if "partial" in j]
+    if partial:
+        print(f"matrix.py: interrupted: {', '.join(partial)}; nothing is kept of it", file=sys.stderr)
+        return 4
     if file:
         keep(verdicts, file)
     return 0

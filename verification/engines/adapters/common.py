@@ -9,20 +9,38 @@ import tempfile
 
 
 def tsuji_restitution(beta):
-    """The e whose polynomial of Tsuji 1992, which some engines take in place of beta, damps as beta does: alpha(e) = sqrt(5) beta."""
+    """The e whose polynomial of Tsuji 1992, which some engines take in place of beta, damps as beta does: alpha(e) = sqrt(5) beta.
+    Beyond alpha(0) it is negative."""
     def alpha(e):
         return 1.2728 - 4.2783 * e + 11.087 * e**2 - 22.348 * e**3 + 27.467 * e**4 - 18.022 * e**5 + 4.8218 * e**6
-    if math.sqrt(5) * beta > alpha(0):
-        return None
-    low, high = 0.0, 1.0
-    for _ in range(60):
+    low, high = -1.0, 1.01  # it falls between them, and is negative at the latter
+    while alpha(low) < math.sqrt(5) * beta:
+        low *= 2
+    for _ in range(100):
         middle = (low + high) / 2
         low, high = (middle, high) if alpha(middle) > math.sqrt(5) * beta else (low, middle)
     return low
 
 
 class Refusal(Exception):
-    """The engine cannot do this case."""
+    """The engine cannot do this case: it has no such law, by the word that is given."""
+
+
+class Untaken(Refusal):
+    """The engine may well do this case; the adapter has no way to ask it. `words` name what it does not take."""
+
+    def __init__(self, words):
+        super().__init__(f"this adapter does not take {words}")
+
+
+# Forces of these depend on velocities, of which a leapfrog has those of half a step before: order 1.
+OF_ORDER_1 = {"damping", "friction", "spring_damping", "rolling", "rolling_spring"}
+
+
+def leapfrog_order(case):
+    """What leapfrog and velocity Verlet, as engines of particles have them, may claim: 2 where all forces are those of positions."""
+    damped = OF_ORDER_1 & set(case.needs) or case.contact.get("cn") or case.contact.get("ct")
+    return 1 if damped else 2
 
 
 class Case:
@@ -32,10 +50,14 @@ class Case:
         self.bodies = {body["name"]: body for body in self.body}
         self.number = {body["name"]: k + 1 for k, body in enumerate(self.body)}  # as engines count
 
-    def refuse_beyond(self, abilities):
+    def refuse_beyond(self, abilities, lacking):
+        """`abilities` are the needs that the adapter can ask for, `lacking` those that the engine itself has no law for."""
         beyond = [need for need in self.needs if need not in abilities]
+        never = [need for need in beyond if need in lacking]
+        if never:
+            raise Refusal(", ".join(never))
         if beyond:
-            raise Refusal(", ".join(beyond))
+            raise Untaken(", ".join(beyond))
 
     def moduli(self, a, b):
         """E* and G* of a pair of materials; nothing for two rigid ones."""
@@ -130,17 +152,18 @@ def observable(case, seen, frames):
     if what == "mean height":
         heights = [last.place[name][1] for name, body in case.bodies.items() if body["radius"] > 0]
         return sum(heights) / len(heights)
-    raise Refusal(f"observing the {what}")
+    raise Untaken(f"the observable {what}")
 
 
 def serve(engine, order, run):
-    """`run(case, folder)` returns frames, in the order of time, the last one at the end of the case."""
+    """`run(case, folder)` returns frames, in the order of time, the last one at the end of the case; `order(case)` is what the engine
+    claims for it."""
     case = Case(json.load(sys.stdin))
     try:
         with tempfile.TemporaryDirectory() as folder:
             frames = run(case, folder)
         found = {seen["name"]: observable(case, seen, frames) for seen in case.observe}
-        print(json.dumps({"engine": engine, "order": order, "observables": found}))
+        print(json.dumps({"engine": engine, "order": order(case), "observables": found}))
     except Refusal as reason:
         print(json.dumps({"engine": engine, "cannot": str(reason)}))
 

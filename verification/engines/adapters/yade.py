@@ -16,6 +16,8 @@ import common
 YADE = os.environ.get("YADE", "yade")
 ABILITIES = {"hertz", "wall", "pair", "damping", "no_pull", "friction", "tangential_damping", "no_tangential_damping", "gravity", "arm_radius"}
 
+LACKING = {"pull", "outline", "point", "rolling", "arm_contact_point"}  # of the law above
+
 # Runs inside YADE. Velocities are those of half a step before; the last half step is added with the force at the end.
 SCRIPT = '''
 import json, math, sys
@@ -61,13 +63,13 @@ def materials(case):
     if "--walls" in sys.argv:
         return {m["name"]: (1e24 if m.get("rigid") else m["young"], m.get("poisson", 0.3)) for m in case.material}
     if len(case.body) > 1:
-        raise common.Refusal("walls and pairs together")
+        raise common.Untaken("walls and pairs together")
     for wall in case.wall:
         own = next(m for m in case.material if m["name"] in bodies)
         modulus = case.moduli(own["name"], wall["material"])[0]
         other = next(m for m in case.material if m["name"] == wall["material"])
         if not other.get("rigid") and other["name"] != own["name"]:
-            raise common.Refusal("a wall of another material")
+            raise common.Untaken("a wall of another material")
         made[own["name"]] = made[other["name"]] = (2 * (1 - own["poisson"]**2) * math.sqrt(2) * modulus, own["poisson"])
     return made
 
@@ -79,7 +81,7 @@ def task_of(case, folder):
     for wall in case.wall:
         axis = 0 if abs(wall["normal"][0]) > 1 - 1e-12 else 1
         if abs(wall["normal"][axis]) < 1 - 1e-12:
-            raise common.Refusal("a wall that leans")
+            raise common.Untaken("a wall that leans")
         walls.append({"place": wall["point"][axis], "axis": axis, "sense": round(wall["normal"][axis]), "material": names.index(wall["material"])})
     beta = math.sqrt(5 / 6) * case.beta()
     h = case.step
@@ -96,7 +98,7 @@ def task_of(case, folder):
 
 
 def run(case, folder):
-    case.refuse_beyond(ABILITIES)
+    case.refuse_beyond(ABILITIES, LACKING)
     with open(f"{folder}/task.json", "w", encoding="utf-8") as out:
         json.dump(task_of(case, folder), out)
     with open(f"{folder}/script.py", "w", encoding="utf-8") as out:
@@ -120,4 +122,4 @@ def name():
 
 
 if __name__ == "__main__":
-    common.serve(name(), 2, run)
+    common.serve(name(), common.leapfrog_order, run)
