@@ -77,6 +77,15 @@ TEST(Cases, EachExpectsANumberOfEveryObservable) {
   }
 }
 
+// Those who take the cases away have the words, not the files of this project.
+TEST(Cases, NoSourceNamesAFileOfTheProject) {
+  for (const std::string& name : case_names()) {
+    const std::string source = case_named(name)["source"];
+    EXPECT_FALSE(source.empty()) << name;
+    for (const char* part : {"verification/", ".h", ".cpp"}) EXPECT_EQ(source.find(part), std::string::npos) << name;
+  }
+}
+
 TEST(Cases, OneThatObservesNothingIsNotRight) {
   Json whole = case_named("hertz_wall");
   whole["observe"] = Json::array();

@@ -101,6 +101,11 @@ inline void spheres_for_discs(Json& c) {
   for (Json& body : c["body"])
     body["inertia"] = 0.4 * body["mass"].get<double>() * std::pow(body["radius"].get<double>(), 2);
 }
+inline void bending_as_strong(Json& c) {
+  for (Json& spring : c["spring"]) {
+    if (spring["kind"] == "bending" && spring.contains("strength")) spring["strength"] = 3.0;  // N, of own_strength
+  }
+}
 inline void nothing_tears(Json& c) {
   for (Json& spring : c["spring"]) spring.erase("strength");
 }
@@ -133,6 +138,8 @@ inline std::vector<WrongEngine> wrong_engines() {
       with_another_case("springs one per mille too long", "spring", scale("spring", "length", 1.001)),
       with_another_case("no bending springs", "cantilever", without_springs("bending")),
       with_another_case("no diagonal springs", "own_strength", without_springs("shear")),
+      with_another_case("bending springs as strong as structural ones", "own_strength", bending_as_strong),
+      with_another_case("a bed without friction", "bed_pushed_far", set_contact("friction", 0.0)),
       with_another_case("no damping along springs", "damped_spring", scale("spring", "damping", 0)),
       with_another_case("nothing tears", "tear_by_impulse", nothing_tears)};
 }

@@ -114,6 +114,28 @@ Expected tear_after(const Json& c, double wait) {
   return all;
 }
 
+// A row of three nodes, the first fixed, the last struck along it with v: x'' = -A x, m A = [2 ks, -ks; -ks, ks + kb]; until
+// kb x of the last is its strength, by both modes.
+double row_tears(const Json& l) {
+  const long double m = l["node_mass"].get<double>(), ks = l["structural"]["stiffness"].get<double>();
+  const long double kb = l["bending"]["stiffness"].get<double>(), strength = l["bending"]["strength"].get<double>();
+  const long double v = l["node"][0]["velocity"][0].get<double>();
+  const long double mean = (3 * ks + kb) / (2 * m), half = std::hypot((ks - kb) / 2, ks) / m;
+  const long double fast = std::sqrt(mean + half), slow = std::sqrt(mean - half);
+  // Shares of the last node in the modes: a + b = 1, a fast^2 + b slow^2 = (ks + kb)/m.
+  const long double a = ((ks + kb) / m - slow * slow) / (2 * half);
+  const auto pulls = [&](long double t) {
+    return kb * v * (a * std::sin(fast * t) / fast + (1 - a) * std::sin(slow * t) / slow);
+  };
+  long double low = 0, high = 0;
+  while (pulls(high) < strength) {
+    low = high, high += 1e-4L;
+    if (high > 1) throw std::invalid_argument("the bending spring does not tear");
+  }
+  for (int k = 0; k < 60; ++k) (pulls((low + high) / 2) < strength ? low : high) = (low + high) / 2;
+  return static_cast<double>(high);
+}
+
 // A square whose free side is struck outwards: by symmetry one node's motion, in long double until a diagonal tears.
 Expected own_strength(const Json& c) {
   const Json& l = c["lattice"][0];
@@ -151,7 +173,10 @@ Expected own_strength(const Json& c) {
     if (t > 1) throw std::invalid_argument("the diagonal does not tear");
   }
   Expected all;
-  fill(all, c, [&](const Json& seen) { return seen["what"] == "torn springs" ? 2.0 : static_cast<double>(t); });
+  fill(all, c, [&](const Json& seen) {
+    if (seen["what"] == "torn springs") return 3.0;
+    return seen["of"][0] == "cord.0.0" ? row_tears(c["lattice"][1]) : static_cast<double>(t);
+  });
   return all;
 }
 

@@ -12,4 +12,7 @@ std::string percent(double share, int digits = 2);
 
 void add_published_impacts(Report& report, const furrow::Numbers& numbers);
 
+// Tables of verification/published; no study's numbers.
+void add_published_numbers(Report& report);
+
 }  // namespace furrow::validation
