@@ -42,7 +42,7 @@ TEST(OrderOfSums, ReferenceVisitsThePairsInTheirOrder) {
 }
 
 TEST(OrderOfSums, BlocksAreJoinedInTurn) {
-  std::vector<double> sums{1e16, 1, 1, -1e16};  // each 1 is lost: not so from the other end
+  std::vector<double> sums{1, 1e16, -1e16};  // the 1 is lost: not so from the other end
   join_blocks(sums, [](double& all, double one) { all += one; });
   EXPECT_EQ(sums[0], 0);
 }
