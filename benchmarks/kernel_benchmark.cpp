@@ -32,7 +32,7 @@ struct Patch {
   std::vector<furrow::DiscLoad> load = std::vector<furrow::DiscLoad>(discs);
   std::vector<double> spring = std::vector<double>(contacts + 1), rate = spring;  // the last one is the dummy
   std::unique_ptr<TouchBatch> batch = std::make_unique<TouchBatch>();
-  furrow::ContactLaw law = furrow::contact_law({2e5, -0.5}, {2e5, -0.5}, 20, 0.5, 0.5, false);
+  furrow::ContactLaw law = furrow::contact_law({2e5, -0.5}, {2e5, -0.5}, 20, 0.5, 0.5);
   furrow::ContactModel model{&law, true, true, 1e-2};
 
   Patch() {

@@ -31,7 +31,7 @@ Constants constants(const Bed& bed, const Task& task) {
   const DiscArrays& disc = bed.prepared.system.parts().disc;
   const double beta = damping_factor(*scene.contact.restitution);
   const Elastic elastic{*m.young, *m.poisson, false};
-  const ContactLaw law = contact_law(elastic, elastic, beta, scene.contact.friction, 0, false);
+  const ContactLaw law = contact_law(elastic, elastic, beta, scene.contact.friction, 0);
   const double reduced_radius = disc.radius[0] / 2, reduced_mass = disc.mass[0] / 2;
   const double root = std::sqrt(reduced_radius * matched_overlap);
   const double viscosity = law.viscosity * std::sqrt(2 * law.modulus * root * reduced_mass);  // N s/m

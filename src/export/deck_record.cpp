@@ -56,10 +56,10 @@ class Record {
   }
 
   void require_own_hash() const {
-    const std::string told = text(own_hash);
+    const std::string kept = text(own_hash);
     Json rest = json_;
     rest.erase(own_hash);
-    if (told != hash_of(rest.dump())) fail("is not as furrow export wrote it");
+    if (kept != hash_of(rest.dump())) fail("is not as furrow export wrote it");
   }
 
  private:
@@ -72,8 +72,8 @@ void require_files(const Record& record, const fs::path& directory) {
   for (const char* needed : {"in.lammps", "data.lammps", scene_name})
     record.text(files, needed, "files." + std::string(needed));
   for (const auto& [name, unused] : files.items()) {
-    const std::string told = record.text(files, name, "files." + name);
-    if (hash_of(text_of(directory / name)) != told)
+    const std::string kept = record.text(files, name, "files." + name);
+    if (hash_of(text_of(directory / name)) != kept)
       throw FileError((directory / name).string() +
                       ": is not as furrow export wrote it; export the scene again, and run the engine again");
   }
@@ -95,18 +95,18 @@ std::string deck_record(const DeckFiles& files, const std::vector<KeyRow>& devia
 
 DeckRecord read_deck_record(const fs::path& directory) {
   const Record record(directory / file_name);
-  DeckRecord told{.to = record.text("to"),
+  DeckRecord read{.to = record.text("to"),
                   .furrow = record.text("furrow"),
                   .scene_hash = record.text("scene_hash"),
                   .deviations = record.field("deviations", true)};
-  for (std::size_t k = 0; k < told.deviations.size(); ++k) {
+  for (std::size_t k = 0; k < read.deviations.size(); ++k) {
     for (const char* field : {"key", "how", "text"})
-      record.text(told.deviations[k], field, item("deviations", k) + "." + field);
+      record.text(read.deviations[k], field, item("deviations", k) + "." + field);
   }
   record.field("files", false);
   record.require_own_hash();
   require_files(record, directory);
-  return told;
+  return read;
 }
 
 }  // namespace furrow

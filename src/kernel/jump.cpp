@@ -64,9 +64,10 @@ void Kernel::return_springs(double t, State& y, JumpReport& report) {
   if (slots_.now == 1) {  // the caller's first state may have springs that no contact holds
     for (const int slot : slots_.unused) slots_.relax(slot);
   }
-  for (std::size_t k = 1; k < block_returned_.size(); ++k) returned += block_returned_[k];
+  const auto add = [](double& all, double one) { all += one; };
+  furrow::join_blocks(block_returned_, add);
   if (parts_->keeps_ledger) y[layout_.ledger_of(friction_work)] = returned;
-  for (std::size_t k = 1; k < block_rolled_.size(); ++k) rolled += block_rolled_[k];
+  furrow::join_blocks(block_rolled_, add);
   if (parts_->keeps_ledger && parts_->rolling_spring) y[layout_.ledger_of(rolling_work)] = rolled;
   report.springs_changed = changed || slots_.relaxed;
 }
@@ -128,7 +129,7 @@ void Kernel::tear_links(double t, State& y, JumpReport& report) {
     const double ry = nodes_.y[link.a[k]] - nodes_.y[link.b[k]];
     const double stretch = std::sqrt(rx * rx + ry * ry) - link.rest[k];
     const double force = link.stiffness[k] * stretch;
-    if (!link_tears(force, link.strength[k], link.in_magnitude[k] != 0)) continue;
+    if (!link_tears(force, link.strength[k], link.tear_rule(k))) continue;
     report.torn.push_back({t, k, force});
     released += 0.5 * force * stretch;
   }

@@ -14,7 +14,7 @@ using Row = LinkLanes::Row;
 using Group = LinkLanes::Group;
 using Arrays = LinkLanes::Arrays;
 
-template <bool Axial>
+template <Damper Acting>
 FURROW_WIDE void forces_of(const Row& row, const NodeMotion& nodes, const Arrays& by, double* __restrict fx,
                            double* __restrict fy, double* __restrict power) {
   const double *xa = nodes.x.data() + row.first, *ya = nodes.y.data() + row.first;
@@ -24,7 +24,7 @@ FURROW_WIDE void forces_of(const Row& row, const NodeMotion& nodes, const Arrays
   for (int k = 0; k < row.lanes; k += LinkLanes::whole) {
     for (int i = k; i < k + LinkLanes::whole; ++i) {
       const LinkForce f = link_force({xa[i] - xb[i], ya[i] - yb[i]}, {vxa[i] - vxb[i], vya[i] - vyb[i]}, rest[i],
-                                     stiffness[i], damping[i], Axial);
+                                     stiffness[i], damping[i], Acting);
       fx[i] = f.fx;
       fy[i] = f.fy;
       power[i] = f.damping;
@@ -32,9 +32,10 @@ FURROW_WIDE void forces_of(const Row& row, const NodeMotion& nodes, const Arrays
   }
 }
 
-FURROW_WIDE void forces_of(bool axial, const Row& row, const NodeMotion& nodes, Arrays& by) {
+FURROW_WIDE void forces_of(Damper acting, const Row& row, const NodeMotion& nodes, Arrays& by) {
   double *fx = &by.fx[row.at], *fy = &by.fy[row.at], *power = &by.power[row.at];
-  axial ? forces_of<true>(row, nodes, by, fx, fy, power) : forces_of<false>(row, nodes, by, fx, fy, power);
+  acting == Damper::axial ? forces_of<Damper::axial>(row, nodes, by, fx, fy, power)
+                          : forces_of<Damper::full>(row, nodes, by, fx, fy, power);
 }
 
 // A gap changes no sum, not even the sign of a zero.
@@ -55,7 +56,7 @@ template <int N>
 FURROW_WIDE void add_link_forces_lanes(const std::vector<Group>& groups, const NodeMotion& nodes, Arrays& by,
                                        double* fx, double* fy) {
   for (const Group& group : groups) {
-    for (const Row& row : group.row) forces_of(group.axial, row, nodes, by);
+    for (const Row& row : group.row) forces_of(group.damper, row, nodes, by);
     for (const Row& row : group.back)
       add_row<N, false>(row, by, fx + row.first + row.offset, fy + row.first + row.offset);
     for (const Row& row : group.row) add_row<N, true>(row, by, fx + row.first, fy + row.first);
@@ -74,7 +75,7 @@ FURROW_WIDE bool any_over_lanes(const std::vector<Group>& groups, const NodeMoti
         for (int i = k; i < k + LinkLanes::whole; ++i) {
           const double rx = xa[i] - xb[i], ry = ya[i] - yb[i];
           const double force = stiffness[i] * (std::sqrt(rx * rx + ry * ry) - rest[i]);
-          const std::int64_t tearing = link_tears(force, strength[i], group.in_magnitude) ? 1 : 0;
+          const std::int64_t tearing = link_tears(force, strength[i], group.tear) ? 1 : 0;
           over += there[i] != 0 ? tearing : 0;
         }
       }
@@ -136,7 +137,7 @@ LinkLanes::LinkLanes(const LinkArrays& links) : lane_(static_cast<std::size_t>(l
 }
 
 void LinkLanes::add_group(const LinkArrays& links, int first, int last) {
-  Group group{{}, {}, links.axial[first] != 0, links.in_magnitude[first] != 0};
+  Group group{{}, {}, links.damper(first), links.tear_rule(first)};
   for (int k = first; k < last; ++k) {
     const int offset = links.b[k] - links.a[k];
     auto row = std::find_if(group.row.begin(), group.row.end(), [&](const Row& r) { return r.offset == offset; });

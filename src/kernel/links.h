@@ -41,7 +41,8 @@ class LinkLanes {
   struct Group {
     std::vector<Row> row;   // in the order in which a node has its links as a
     std::vector<Row> back;  // in the order in which it has them as b: of the furthest first
-    bool axial, in_magnitude;
+    Damper damper;
+    TearRule tear;
   };
 
   // By lane.

@@ -44,8 +44,7 @@ void NeighbourSearch::find_segments(const Parts& parts, const Placement& now, Pi
     const auto look = [&](int disc) {
       const double within = parts.disc.radius[disc] + reach;
       ++checks;
-      if (nearest_on_segment(now.disc(disc), a, b, 0, false).distance2 < within * within)
-        near_border_.push_back({disc, s});
+      if (nearest_on_segment(now.disc(disc), a, b, 0).distance2 < within * within) near_border_.push_back({disc, s});
     };
     checks += discs_.near_segment(a, b, reach, look);
   }
@@ -93,7 +92,8 @@ void NeighbourSearch::near_discs(const Parts& parts, const Placement& now, int f
 
 void NeighbourSearch::find_discs(const Parts& parts, const Placement& now, int threads, int pieces) {
   in_parallel(threads, pieces, [&](int k, int /*thread*/) {
-    near_discs(parts, now, k * discs_per_block, std::min(parts.disc.count(), (k + 1) * discs_per_block), pieces_[k]);
+    const auto [first, last] = discs_of_block(k, parts.disc.count());
+    near_discs(parts, now, first, last, pieces_[k]);
   });
   for (int k = 0; k < pieces; ++k) checks += pieces_[k].checks;
   if (discs_.count() > 1) share_across(pieces);
@@ -103,7 +103,7 @@ void NeighbourSearch::find_discs(const Parts& parts, const Placement& now, int t
 void NeighbourSearch::share_across(int pieces) {
   for (int k = 0; k < pieces; ++k) pieces_[k].from_others.clear();
   for (int k = 0; k < pieces; ++k) {
-    for (const Pair& p : pieces_[k].across) pieces_[p.a / discs_per_block].from_others.push_back(p);
+    for (const Pair& p : pieces_[k].across) pieces_[block_of(p.a)].from_others.push_back(p);
   }
   for (int k = 0; k < pieces; ++k) {
     auto& [near, across, from_others, merged, member, start, count] = pieces_[k];

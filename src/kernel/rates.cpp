@@ -83,8 +83,7 @@ void Kernel::join_blocks() const {
       disc_load_[s.disc].torque += contribution[s.number].torque;
     }
   });
-  ContactPowers& all = block_powers_[0];
-  for (std::size_t k = 1; k < block_powers_.size(); ++k) all.add(block_powers_[k]);
+  furrow::join_blocks(block_powers_, [](ContactPowers& all, const ContactPowers& one) { all.add(one); });
 }
 
 void Kernel::finish_rates(State& dydt) const {

@@ -128,7 +128,7 @@ void NeighbourSearch::check_finite(const Parts& parts, const Placement& now) con
 // most of their time on allocating it again.
 void NeighbourSearch::renew(const Parts& parts, const Placement& now, ContactKind kind, int threads) {
   const bool pairs = kind == disc_disc;
-  const int pieces = pairs ? (parts.disc.count() + discs_per_block - 1) / discs_per_block : 1;
+  const int pieces = pairs ? blocks_of(parts.disc.count()) : 1;
   pieces_.resize(static_cast<std::size_t>(std::max(pieces, static_cast<int>(pieces_.size()))));
   if (pairs)
     find_discs(parts, now, threads, pieces);
@@ -205,17 +205,17 @@ void Candidates::resize(int count) {
 
 void NeighbourSearch::cut_into_blocks(int discs) {
   const Candidates& list = candidates[disc_disc];
-  const std::size_t count = static_cast<std::size_t>((discs + discs_per_block - 1) / discs_per_block);
   blocks.clear();
-  boundary.resize(count);
+  boundary.resize(static_cast<std::size_t>(blocks_of(discs)));
   for (std::vector<Contribution>& into : boundary) into.clear();
   contributions = 0;
   int pair = 0;
-  for (int first = 0; first < discs; first += discs_per_block) {
-    DiscBlock block{first, std::min(discs, first + discs_per_block), pair, pair, contributions, contributions};
+  for (int k = 0; k < (discs > 0 ? blocks_of(discs) : 0); ++k) {
+    const auto [first, last] = discs_of_block(k, discs);
+    DiscBlock block{first, last, pair, pair, contributions, contributions};
     for (; pair < list.count() && list.a[pair] < block.last_disc; ++pair) {
       const int b = list.b[pair];
-      if (b >= block.last_disc) boundary[b / discs_per_block].push_back({contributions++, b});
+      if (across_blocks(list.a[pair], b)) boundary[block_of(b)].push_back({contributions++, b});
     }
     block.last_pair = pair;
     block.last_contribution = contributions;

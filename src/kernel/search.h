@@ -83,7 +83,7 @@ class NeighbourSearch {
   struct Pair {
     int a, b;
     bool operator==(const Pair& other) const { return a == other.a && b == other.b; }
-    bool operator<(const Pair& other) const { return a < other.a || (a == other.a && b < other.b); }
+    bool operator<(const Pair& other) const { return comes_before(a, b, other.a, other.b); }
   };
   struct Member {
     Pair pair;

@@ -182,9 +182,10 @@ NearestOnSegment Kernel::nearest_border(const Placement& now, int candidate, int
   for (int k = list.first_segment[candidate]; k < list.first_segment[candidate + 1]; ++k) {
     const int s = list.segment[k];
     const int link = parts_->border.link[s];
-    const NearestOnSegment n =
-        nearest_on_segment(now.disc(list.a[candidate]), now.node(parts_->border.a[s]), now.node(parts_->border.b[s]),
-                           auxiliary, link >= 0 && torn_[link] != 0);
+    const Vec2 disc = now.disc(list.a[candidate]);
+    const Vec2 i = now.node(parts_->border.a[s]), j = now.node(parts_->border.b[s]);
+    const bool torn = link >= 0 && torn_[link] != 0;
+    const NearestOnSegment n = torn ? nearest_end(disc, i, j) : nearest_on_segment(disc, i, j, auxiliary);
     if (n.distance2 < best.distance2) {
       best = n;
       segment = s;

@@ -63,8 +63,7 @@ inline double shear_compliance(const Elastic& e) {
   return e.rigid ? 0 : (2 - e.poisson) * 2 * (1 + e.poisson) / e.young;  // G = E / (2 (1 + nu))
 }
 
-inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, double mu, double mu_rolling,
-                              bool pull) {
+inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, double mu, double mu_rolling) {
   ContactLaw law;
   law.modulus = 1 / (compliance(i) + compliance(j));
   law.shear_modulus = 1 / (shear_compliance(i) + shear_compliance(j));
@@ -72,9 +71,10 @@ inline ContactLaw contact_law(const Elastic& i, const Elastic& j, double beta, d
   law.shear_ratio = 2 * std::sqrt(law.shear_modulus / law.modulus);
   law.friction = mu;
   law.rolling = mu_rolling;
-  law.floor = pull ? -infinity : 0;
   return law;
 }
+
+inline void let_pull(ContactLaw& law) { law.floor = -infinity; }
 
 // One touching contact as the law sees it.
 struct Touch {
@@ -108,10 +108,15 @@ struct TouchForce {
   f.elastic = (2.0 / 3.0) * f.stiffness * c.overlap;
 }
 
+// N s/m: what beta gives of Cn, 2 sqrt(5/6) beta sqrt(Sn m*); of the linear law 2 beta sqrt(kn m*).
+[[gnu::always_inline]] inline double viscosity_of_factor(const ContactLaw& law, const Touch& c, const TouchForce& f) {
+  return law.viscosity * std::sqrt(f.stiffness * c.reduced_mass);
+}
+
 // The normal part of the law, and the tangential stiffness: what does not depend on slip, spring and spin.
 [[gnu::always_inline]] inline void press(const ContactLaw& law, const Touch& c, TouchForce& f) {
   stiffen(law, c, f);
-  const double viscosity = law.viscosity * std::sqrt(f.stiffness * c.reduced_mass);
+  const double viscosity = viscosity_of_factor(law, c, f);
   f.shear_viscosity = viscosity * law.shear_ratio;
 
   const double push = f.elastic + viscosity * c.approach;
@@ -142,6 +147,13 @@ struct TouchForce {
   const double pressed = normal > 0 ? normal : 0;
   return -law.rolling * c.reduced_radius * pressed * c.spin /
          std::sqrt(c.spin * c.spin + rolling_smoothing * rolling_smoothing);
+}
+
+// N m s: -dM/dw at this normal force (N).
+inline double rolling_viscosity(const ContactLaw& law, const Touch& c, double normal, double rolling_smoothing) {
+  const double pressed = normal > 0 ? normal : 0;
+  const double w0 = rolling_smoothing, root = std::sqrt(c.spin * c.spin + w0 * w0);
+  return law.rolling * c.reduced_radius * pressed * w0 * w0 / (root * root * root);
 }
 
 // The law above, without options. rolling_smoothing: rad/s, w0.

@@ -57,7 +57,7 @@ inline TouchPowers contact_powers(const ContactLaw& law, const Touch& c, const T
       rescale(law, c, f, p);
       break;
     case ForceLaw::linear:
-      p.stiffening = 0;
+      keep_stiffness(p);
       break;
   }
   if (rolls_on_spring(law)) store_rolling(law, c, f, p);
@@ -80,7 +80,7 @@ inline double normal_energy(const ContactLaw& law, const Touch& c, const TouchFo
     case ForceLaw::rescaled_mindlin:
       break;
     case ForceLaw::linear:
-      return 0.5 * f.elastic * c.overlap;
+      return linear_energy(f.elastic, c.overlap);
   }
   return elastic_energy(f.elastic, c.overlap);
 }

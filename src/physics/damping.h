@@ -37,17 +37,16 @@ inline double damping_factor(double restitution) {
 
 inline double damping_factor_of_tsuji(double alpha) { return alpha / std::sqrt(5.0); }
 
-// Adds the dampers to a contact whose stiffnesses and elastic force are known.
-inline void damp(const ContactLaw& law, const Touch& c, TouchForce& f) {
-  const double viscosity = law.viscosity * std::sqrt(f.stiffness * c.reduced_mass);
-  f.shear_viscosity = viscosity * law.shear_ratio + law.options.tangential_dashpot;
-  const double push = f.elastic + (viscosity + law.options.dashpot) * c.approach;
-  f.normal = push > law.floor ? push : law.floor;
-}
-
 // N s/m: Cn.
 inline double normal_viscosity(const ContactLaw& law, const Touch& c, const TouchForce& f) {
-  return law.viscosity * std::sqrt(f.stiffness * c.reduced_mass) + law.options.dashpot;
+  return viscosity_of_factor(law, c, f) + law.options.dashpot;
+}
+
+// Adds the dampers to a contact whose stiffnesses and elastic force are known.
+inline void damp(const ContactLaw& law, const Touch& c, TouchForce& f) {
+  f.shear_viscosity = viscosity_of_factor(law, c, f) * law.shear_ratio + law.options.tangential_dashpot;
+  const double push = f.elastic + normal_viscosity(law, c, f) * c.approach;
+  f.normal = push > law.floor ? push : law.floor;
 }
 
 // m: xi after a step.

@@ -44,21 +44,34 @@ struct NearestOnSegment {
   double share;      // 0 at a, 1 at b
 };
 
-// The nearest to p among the end nodes a, b and `auxiliary` equally spaced points between them; auxiliary = 0: the
-// exact nearest point of the segment. A torn segment has only its ends left.
-inline NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b, int auxiliary, bool torn) {
+// -: where on the way from a to b, 0 to 1, the segment is nearest to p.
+inline double nearest_share(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 u = b - a;
   const double length2 = dot(u, u);
   const double along = dot(p - a, u);
-  double share = length2 > 0 ? std::min(std::max(along / length2, 0.0), 1.0) : 0.0;
-  if (torn) {
-    share = share < 0.5 ? 0 : 1;
-  } else if (auxiliary > 0) {  // equally spaced: the nearest one is the nearest to the foot of the perpendicular
-    share = std::floor(share * (auxiliary + 1) + 0.5) / (auxiliary + 1);
-  }
+  return length2 > 0 ? std::min(std::max(along / length2, 0.0), 1.0) : 0.0;
+}
+
+// The point of the segment at this share, as seen from p.
+inline NearestOnSegment point_of_segment(Vec2 p, Vec2 a, Vec2 b, double share) {
+  const Vec2 u = b - a;
   const double dx = a.x + share * u.x - p.x;
   const double dy = a.y + share * u.y - p.y;
   return {dx * dx + dy * dy, dx, dy, share};
+}
+
+// The nearest to p among the end nodes a, b and `auxiliary` equally spaced points between them; auxiliary = 0: the
+// exact nearest point of the segment.
+inline NearestOnSegment nearest_on_segment(Vec2 p, Vec2 a, Vec2 b, int auxiliary) {
+  double share = nearest_share(p, a, b);
+  if (auxiliary > 0)  // equally spaced: the nearest one is the nearest to the foot of the perpendicular
+    share = std::floor(share * (auxiliary + 1) + 0.5) / (auxiliary + 1);
+  return point_of_segment(p, a, b, share);
+}
+
+// Of a torn segment only its ends are left.
+inline NearestOnSegment nearest_end(Vec2 p, Vec2 a, Vec2 b) {
+  return point_of_segment(p, a, b, nearest_share(p, a, b) < 0.5 ? 0 : 1);
 }
 
 }  // namespace furrow

@@ -1,5 +1,5 @@
 // What follows from the law of a contact for a head-on impact: estimates, for advice on steps and for what is watched
-// in a run. No run's state depends on them. Constant dashpots are left out: with them an impact goes less deep.
+// in a run. No run's state depends on them. Hertz's stand here, the linear law's in physics/linear.h. Constant dashpots are left out: with them an impact goes less deep.
 #pragma once
 
 #include <cmath>
@@ -12,12 +12,12 @@ inline bool is_linear(const ContactLaw& law) { return has_constant_stiffness(law
 
 // -: beta, of the linear oscillator that an impact is like.
 inline double damping_ratio_of_impact(const ContactLaw& law) {
-  return is_linear(law) ? law.viscosity / 2 : law.viscosity / (2 * std::sqrt(5.0 / 6.0));
+  return is_linear(law) ? damping_ratio_of_linear(law) : law.viscosity / (2 * std::sqrt(5.0 / 6.0));
 }
 
 // J: the work that presses two bodies to this overlap. Bodies that meet with more energy, m* v^2/2, go deeper.
 inline double elastic_energy(const ContactLaw& law, double reduced_radius, double overlap) {
-  if (is_linear(law)) return 0.5 * law.options.normal_stiffness * overlap * overlap;
+  if (is_linear(law)) return linear_work(law, overlap);
   return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
 }
 
@@ -37,19 +37,19 @@ inline double impact_factor(const ContactLaw& law) {
 
 // m: how deep an elastic head-on impact goes.
 inline double impact_overlap(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
-  if (is_linear(law)) return speed * std::sqrt(reduced_mass / law.options.normal_stiffness);
+  if (is_linear(law)) return linear_impact_overlap(law, reduced_mass, speed);
   const double factor = 4.0 / 3.0 * law.modulus * std::sqrt(reduced_radius);
   return std::pow(5 * reduced_mass * speed * speed / (4 * factor), 0.4);
 }
 
-// s: how long it lasts, 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10) d/v with its greatest overlap d; of the linear law pi d/v.
+// s: how long it lasts, of Hertz's law 4 sqrt(pi)/5 Gamma(2/5)/Gamma(9/10) d/v with its greatest overlap d.
 inline double impact_duration(const ContactLaw& law, double overlap, double speed) {
-  return (is_linear(law) ? pi : 2.943275184324047) * overlap / speed;
+  return is_linear(law) ? linear_impact_duration(overlap, speed) : 2.943275184324047 * overlap / speed;
 }
 
 // rad/s: of the oscillator that an elastic impact is like, sqrt(Sn/m*) at its greatest overlap.
 inline double impact_frequency(const ContactLaw& law, double overlap, double speed) {
-  return (is_linear(law) ? 1 : std::sqrt(15.0 / 8.0)) * speed / overlap;
+  return is_linear(law) ? linear_impact_frequency(overlap, speed) : std::sqrt(15.0 / 8.0) * speed / overlap;
 }
 
 // Of Hertz's law. s^5: the fifth power of a contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5).

@@ -17,6 +17,9 @@
 
 namespace furrow {
 
+enum class Damper { axial, full };           // along the link, or on the whole relative velocity
+enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
+
 struct LinkForce {
   double spring;   // N, tension positive
   double fx, fy;   // N, on node i, spring and damper together
@@ -25,13 +28,13 @@ struct LinkForce {
 
 // r (m) and v (m/s) of node i against node j; rest length m, stiffness N/m, damping N s/m.
 [[gnu::always_inline]] inline LinkForce link_force(Vec2 r, Vec2 v, double rest, double stiffness, double damping,
-                                                   bool axial) {
+                                                   Damper damper) {
   LinkForce f{};
   const double length = std::sqrt(dot(r, r));
   const Vec2 e{r.x / length, r.y / length};
   f.spring = stiffness * (length - rest);
   const double stretching = dot(v, e);
-  const Vec2 damped = axial ? Vec2{stretching * e.x, stretching * e.y} : v;
+  const Vec2 damped = damper == Damper::axial ? Vec2{stretching * e.x, stretching * e.y} : v;
   f.fx = -f.spring * e.x - damping * damped.x;
   f.fy = -f.spring * e.y - damping * damped.y;
   f.damping = damping * dot(damped, v);
@@ -39,8 +42,8 @@ struct LinkForce {
 }
 
 // Whether a link of this strength (N) tears under the force of its spring (N).
-[[gnu::always_inline]] inline bool link_tears(double spring, double strength, bool in_magnitude) {
-  return (in_magnitude ? std::fabs(spring) : spring) > strength;
+[[gnu::always_inline]] inline bool link_tears(double spring, double strength, TearRule rule) {
+  return (rule == TearRule::magnitude ? std::fabs(spring) : spring) > strength;
 }
 
 }  // namespace furrow

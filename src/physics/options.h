@@ -7,9 +7,9 @@
 //
 // One more law takes
 //
-//   physics/    a header with its stiffnesses and elastic force, as linear.h has them; here its name; contact_force.h:
-//               its force, powers, stored energy, and what its springs hold as a contact opens; impact.h: its impact;
-//               rolling_spring.h, whose stiffness grows with Sn
+//   physics/    a header with its stiffnesses, elastic force, stored energy, powers and impact, as linear.h has them;
+//               here its name; contact_force.h and impact.h, whose switches call it; rolling_spring.h, whose stiffness
+//               grows with Sn
 //   system/     laws.cpp: its constants, from a scene
 //   scene/      schema.h: its key; validate.cpp and effects.cpp: what it needs and ignores; damping.cpp
 //   the others  program/explain_law.cpp: its words; export/lammps_law.cpp and deviations.cpp: its name elsewhere
@@ -22,7 +22,7 @@
 namespace furrow {
 
 enum class ForceLaw { hertz_mindlin, rescaled_mindlin, linear };
-// A switch over the laws names each of them, without a default: one more does not compile until all have been told.
+// A switch over the laws names each of them, without a default: one more does not compile until all of them say what they do.
 constexpr bool has_constant_stiffness(ForceLaw law) {
   switch (law) {
     case ForceLaw::hertz_mindlin:

@@ -29,6 +29,11 @@ inline double rolling_stiffness(const ContactLaw& law, const Touch& c, const Tou
   return 3 * f.stiffness * arm * arm;
 }
 
+// N m s: cr, of a stiffness kr (N m).
+inline double rolling_spring_viscosity(const ContactLaw& law, const Touch& c, double kr) {
+  return 2 * law.options.rolling_damping * std::sqrt(c.rolling_inertia * kr);
+}
+
 // N m: the greatest moment.
 inline double rolling_limit(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   return law.rolling * c.reduced_radius * (f.normal > 0 ? f.normal : 0);
@@ -37,7 +42,7 @@ inline double rolling_limit(const ContactLaw& law, const Touch& c, const TouchFo
 // N m, on body i.
 inline double rolling_spring_moment(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   const double kr = rolling_stiffness(law, c, f);
-  const double cr = 2 * law.options.rolling_damping * std::sqrt(c.rolling_inertia * kr);
+  const double cr = rolling_spring_viscosity(law, c, kr);
   const double limit = rolling_limit(law, c, f);
   const double free = -kr * c.turn - cr * c.spin;
   const double capped = free > limit ? limit : free;

@@ -72,7 +72,10 @@ void print_options(const Scene& scene, const Parts& parts) {
     line("springs after slip", "hold the Coulomb limit%s",
          scene.model.after_slip == AfterSlip::less_viscous ? " less the viscous force, as in LAMMPS" : "");
   for (const Plate& p : scene.plate)
-    if (p.ramp > 0) line("plate " + p.name, "reaches its speed in %g s", p.ramp);
+    if (p.ramp > 0)
+      line("plate " + p.name, "reaches its speed in %g s", p.ramp);
+    else if (p.velocity != Vec2{})
+      line("plate " + p.name, "ramp: none, full speed at once");
 }
 
 void print_law(const std::string& pair, const ContactLaw& law) {

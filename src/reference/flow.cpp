@@ -17,9 +17,9 @@ struct Load {
 };
 
 void add(Load& sum, double fx, double fy, double torque) {
-  sum.fx += fx;
-  sum.fy += fy;
-  sum.torque += torque;
+  sum.fx += fx;          // N
+  sum.fy += fy;          // N
+  sum.torque += torque;  // N m
 }
 
 struct Sums {
@@ -35,8 +35,8 @@ TouchPowers powers_of(const Instant& now, const Contact& c) {
 
 // Pairs of discs, block by block; what they do to a disc of a later block is added after all blocks.
 void add_disc_pairs(const Instant& now, const std::vector<Contact>& contacts, Sums& sums) {
-  std::vector<ContactPowers> block(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));
-  std::vector<std::pair<int, Load>> boundary;
+  std::vector<ContactPowers> block(static_cast<std::size_t>(blocks_of(now.parts.disc.count())));  // W, of each block
+  std::vector<std::pair<int, Load>> boundary;                                                     // disc; N, N m
   for (const Contact& c : contacts) {
     if (c.id.kind != disc_disc) continue;
     add(sums.disc[c.id.a], c.fx, c.fy, c.torque_a);
@@ -45,27 +45,27 @@ void add_disc_pairs(const Instant& now, const std::vector<Contact>& contacts, Su
     } else {
       add(sums.disc[c.id.b], -c.fx, -c.fy, c.torque_b);
     }
-    block[block_of(c.id.a)].add(powers_of(now, c), now.parts.friction);
+    block[block_of(c.id.a)].add(powers_of(now, c), now.parts.friction);  // W
   }
   for (const auto& [disc, load] : boundary) add(sums.disc[disc], load.fx, load.fy, load.torque);
-  sums.powers = block[0];
-  for (std::size_t k = 1; k < block.size(); ++k) sums.powers.add(block[k]);
+  join_blocks(block, [](ContactPowers& all, const ContactPowers& one) { all.add(one); });
+  sums.powers = block[0];  // W
 }
 
-// A plate feels the opposite, -(fx, fy), of each of its contacts: run/observe.cpp sums it for files and watches.
+// What a plate or wall feels of them moves nothing: see forces_on_flats().
 void add_other_contacts(const Instant& now, const std::vector<Contact>& contacts, Sums& sums) {
   for (const Contact& c : contacts) {
     if (c.id.kind == disc_disc) continue;
     add(of_disc(c.id.kind) ? sums.disc[c.id.a] : sums.node[c.id.a], c.fx, c.fy, c.torque_a);
     if (c.id.kind == disc_lattice) {
-      const double i = 1 - c.share, j = c.share;
+      const double i = 1 - c.share, j = c.share;  // -, of the force, to the two nodes
       add(sums.node[now.parts.border.a[c.segment]], -i * c.fx, -i * c.fy, 0);
       add(sums.node[now.parts.border.b[c.segment]], -j * c.fx, -j * c.fy, 0);
     }
     sums.powers.add(powers_of(now, c), now.parts.friction);
     if (of_plate(c.id.kind)) {
-      const PlateAt at = plate_at(now.parts.plate[c.id.b], now.t, now.discrete.preparing);
-      sums.plate_power += c.fx * at.vx + c.fy * at.vy;
+      const PlateAt at = plate_at(now.parts.plate[c.id.b], now.t, now.discrete.preparing);  // m/s, its velocity
+      sums.plate_power += c.fx * at.vx + c.fy * at.vy;                                      // W, that drives the plate
     }
   }
 }
@@ -74,21 +74,21 @@ void add_links(const Instant& now, Sums& sums) {
   const LinkArrays& link = now.parts.link;
   for (int k = 0; k < link.count(); ++k) {
     if (is_torn(now.discrete, k)) continue;
-    const Body a = node_of(now, link.a[k]);
-    const Body b = node_of(now, link.b[k]);
+    const Body a = node_of(now, link.a[k]);  // m, m/s
+    const Body b = node_of(now, link.b[k]);  // m, m/s
     const LinkForce f = link_force(a.at - b.at, a.velocity - b.velocity, link.rest[k], link.stiffness[k],
-                                   link.damping[k], link.axial[k] != 0);
+                                   link.damping[k], link.damper(k));
     add(sums.node[link.a[k]], f.fx, f.fy, 0);
     add(sums.node[link.b[k]], -f.fx, -f.fy, 0);
-    sums.link_power += f.damping;
+    sums.link_power += f.damping;  // W
   }
 }
 
 // What moves driven nodes holds them against the sum of forces.
 void drive(const Instant& now, Sums& sums) {
   for (const int n : now.parts.driven) {
-    const Vec2 v = node_of(now, n).velocity;
-    sums.plate_power -= sums.node[n].fx * v.x + sums.node[n].fy * v.y;
+    const Vec2 v = node_of(now, n).velocity;                            // m/s, as the scene says
+    sums.plate_power -= sums.node[n].fx * v.x + sums.node[n].fy * v.y;  // W
   }
 }
 
@@ -97,27 +97,27 @@ void accelerate(const Instant& now, const Sums& sums, State& rates) {
   const Parts& parts = now.parts;
   const Layout& at = now.layout;
   for (int i = 0; i < parts.disc.count(); ++i) {
-    rates[at.vx_of(i)] = sums.disc[i].fx * (1 / parts.disc.mass[i]);
-    rates[at.vy_of(i)] = sums.disc[i].fy * (1 / parts.disc.mass[i]) - parts.gravity;
-    if (parts.friction) rates[at.spin_of(i)] = sums.disc[i].torque * (1 / parts.disc.inertia[i]);
+    rates[at.vx_of(i)] = sums.disc[i].fx * (1 / parts.disc.mass[i]);                               // m/s^2
+    rates[at.vy_of(i)] = sums.disc[i].fy * (1 / parts.disc.mass[i]) - parts.gravity;               // m/s^2
+    if (parts.friction) rates[at.spin_of(i)] = sums.disc[i].torque * (1 / parts.disc.inertia[i]);  // rad/s^2
   }
   for (int n = 0; n < parts.node.count(); ++n) {
-    const int body = parts.node.body[n];
+    const int body = parts.node.body[n];  // place in the state; -1: fixed or driven
     if (body < 0) continue;
-    rates[at.vx_of(body)] = sums.node[n].fx * (1 / parts.node.mass[n]);
-    rates[at.vy_of(body)] = sums.node[n].fy * (1 / parts.node.mass[n]) - parts.node.gravity[n];
+    rates[at.vx_of(body)] = sums.node[n].fx * (1 / parts.node.mass[n]);                          // m/s^2
+    rates[at.vy_of(body)] = sums.node[n].fy * (1 / parts.node.mass[n]) - parts.node.gravity[n];  // m/s^2
   }
-  for (const int body : parts.held_x) rates[at.vx_of(body)] = 0;  // a roller takes the force
-  for (const int body : parts.held_y) rates[at.vy_of(body)] = 0;
+  for (const int body : parts.held_x) rates[at.vx_of(body)] = 0;  // m/s^2: a roller takes the force
+  for (const int body : parts.held_y) rates[at.vy_of(body)] = 0;  // m/s^2
 }
 
 void book(const Layout& at, const Sums& sums, State& rates) {
-  rates[at.ledger_of(contact_viscous)] = sums.powers.viscous;
-  rates[at.ledger_of(friction_work)] = sums.powers.friction;
-  rates[at.ledger_of(rolling_work)] = sums.powers.rolling;
-  rates[at.ledger_of(stiffening)] = sums.powers.stiffening;
-  rates[at.ledger_of(link_damping)] = sums.link_power;
-  rates[at.ledger_of(plate_work)] = sums.plate_power;
+  rates[at.ledger_of(contact_viscous)] = sums.powers.viscous;  // W
+  rates[at.ledger_of(friction_work)] = sums.powers.friction;   // W
+  rates[at.ledger_of(rolling_work)] = sums.powers.rolling;     // W
+  rates[at.ledger_of(stiffening)] = sums.powers.stiffening;    // W
+  rates[at.ledger_of(link_damping)] = sums.link_power;         // W
+  rates[at.ledger_of(plate_work)] = sums.plate_power;          // W
 }
 
 }  // namespace
@@ -144,38 +144,51 @@ void for_each_pair(const Parts& parts, const std::function<void(const ContactId&
 std::vector<Contact> contacts(const Instant& now) {
   std::vector<Contact> touching;
   for_each_pair(now.parts, [&](const ContactId& pair) {
-    const Proximity near = proximity(now, pair);
+    const Proximity near = proximity(now, pair);  // m: where the two are
     if (near.touching) touching.push_back(contact_of(now, pair, near));
   });
   return touching;
 }
 
+// The opposite of what each contact does to the disc or node. run/observe.cpp sums the same for files and watches, from
+// the contacts of either solver.
+FlatForces forces_on_flats(const Instant& now) {
+  FlatForces on{std::vector<Vec2>(now.parts.plate.size()), std::vector<Vec2>(now.parts.wall.size())};
+  for (const Contact& c : contacts(now)) {
+    if (!of_plate(c.id.kind) && !of_wall(c.id.kind)) continue;
+    Vec2& sum = of_plate(c.id.kind) ? on.plate[c.id.b] : on.wall[c.id.b];
+    sum.x -= c.fx;  // N
+    sum.y -= c.fy;  // N
+  }
+  return on;
+}
+
 void flow(const Instant& now, State& rates) {
   const Layout& at = now.layout;
   const Parts& parts = now.parts;
-  Sums sums;
+  Sums sums;  // N, N m, W
   sums.disc.resize(static_cast<std::size_t>(parts.disc.count()));
   for (int n = 0; n < parts.node.count(); ++n) sums.node.push_back({parts.node.load_x[n], parts.node.load_y[n], 0});
-  const std::vector<Contact> touching = contacts(now);
+  const std::vector<Contact> touching = contacts(now);  // with their forces
   add_disc_pairs(now, touching, sums);
   add_other_contacts(now, touching, sums);
   add_links(now, sums);
   drive(now, sums);
 
-  std::fill(rates.begin(), rates.end(), 0.0);
-  std::copy_n(now.y.begin() + at.vx_of(0), 2 * at.bodies, rates.begin());  // x' = v
+  std::fill(rates.begin(), rates.end(), 0.0);                              // what nothing changes
+  std::copy_n(now.y.begin() + at.vx_of(0), 2 * at.bodies, rates.begin());  // x' = v, m/s
   accelerate(now, sums, rates);
   for (const Contact& c : touching) {
     if (c.slot < 0) continue;
-    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi' = vt, or as rescaled
-    if (rolls_on_spring(parts.law[c.law])) rates[at.turn_of(c.slot)] = c.touch.spin;  // theta' = w
+    rates[at.spring_of(c.slot)] = spring_rate(parts.law[c.law], c.touch, c.force);    // xi' = vt, or as rescaled, m/s
+    if (rolls_on_spring(parts.law[c.law])) rates[at.turn_of(c.slot)] = c.touch.spin;  // theta' = w, rad/s
   }
   for (const DiscreteState::Held& held : now.discrete.held) {
-    const int leader = slot_followed(now, held);
+    const int leader = slot_followed(now, held);  // the slot whose spring this one follows
     if (leader >= 0) std::copy_n(&rates[at.spring_of(leader)], at.slot_width, &rates[at.spring_of(held.slot)]);
   }
   for (int i = 0; i < at.angles; ++i)
-    rates[at.angle_of(i)] = parts.friction ? now.y[at.spin_of(i)] : parts.disc.spin[i];
+    rates[at.angle_of(i)] = parts.friction ? now.y[at.spin_of(i)] : parts.disc.spin[i];  // rad/s
   if (parts.keeps_ledger) book(at, sums, rates);
 }
 

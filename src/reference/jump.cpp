@@ -23,16 +23,16 @@ class Slots {
       : parts_(parts), layout_(layout), discrete_(discrete), y_(y) {}
 
   Growth hand_out(double t) {
-    ++discrete_.jumps;
-    std::vector<DiscreteState::Held> held;
-    auto next = discrete_.held.begin();
+    ++discrete_.jumps;                      // counts jumps
+    std::vector<DiscreteState::Held> held;  // after this jump, in the order of the pairs
+    auto next = discrete_.held.begin();     // the next one that holds a slot
     const Instant now{parts_, layout_, discrete_, t, y_};
     for_each_pair(parts_, [&](const ContactId& pair) {
-      const bool near = proximity(now, pair).near;
-      const bool holds = next != discrete_.held.end() && same(*next, pair);
+      const bool near = proximity(now, pair).near;                           // closer than Parts::margin
+      const bool holds = next != discrete_.held.end() && same(*next, pair);  // it has a slot
       if (holds) {
-        if (near || stretched(next->slot)) next->near_at = discrete_.jumps;
-        const bool quiet = discrete_.jumps - next->near_at > quiet_jumps;
+        if (near || stretched(next->slot)) next->near_at = discrete_.jumps;  // in jumps
+        const bool quiet = discrete_.jumps - next->near_at > quiet_jumps;    // long apart
         if (quiet)
           discrete_.unused.push_back(next->slot);
         else
@@ -42,7 +42,7 @@ class Slots {
         held.push_back({pair.kind, pair.a, pair.b, take(), discrete_.jumps});
       }
     });
-    discrete_.held = held;
+    discrete_.held = held;  // sorted, as the pairs are
     return grown_;
   }
 
@@ -55,9 +55,9 @@ class Slots {
 
   int take() {
     if (discrete_.unused.empty()) grow();
-    const int slot = discrete_.unused.back();
+    const int slot = discrete_.unused.back();  // the one given back last
     discrete_.unused.pop_back();
-    std::fill_n(y_.begin() + layout_.spring_of(slot), layout_.slot_width, 0.0);
+    std::fill_n(y_.begin() + layout_.spring_of(slot), layout_.slot_width, 0.0);  // m and rad: xi = theta = 0
     return slot;
   }
 
@@ -66,7 +66,7 @@ class Slots {
     const Growth one{static_cast<std::size_t>(layout_.slot_width),
                      static_cast<std::size_t>(layout_.size() - layout_.first_dummy())};
     one.apply(y_);
-    grown_ = {grown_.count + one.count, one.before_end};
+    grown_ = {grown_.count + one.count, one.before_end};  // numbers of the state
     discrete_.unused.push_back(layout_.spring_count++);
   }
 
@@ -81,12 +81,12 @@ class Slots {
 bool follow_springs(const Instant& now, State& y) {
   bool changed = false;
   for (const DiscreteState::Held& held : now.discrete.held) {
-    const int leader = slot_followed(now, held);
+    const int leader = slot_followed(now, held);  // -1: its spring is its own
     if (leader < 0) continue;
     for (int k = 0; k < now.layout.slot_width; ++k) {
-      double& number = y[now.layout.spring_of(held.slot) + k];
-      changed = changed || number != y[now.layout.spring_of(leader) + k];
-      number = y[now.layout.spring_of(leader) + k];
+      double& number = y[now.layout.spring_of(held.slot) + k];             // m or rad
+      changed = changed || number != y[now.layout.spring_of(leader) + k];  // the springs
+      number = y[now.layout.spring_of(leader) + k];                        // m or rad
     }
   }
   return changed;
@@ -96,13 +96,12 @@ bool follow_springs(const Instant& now, State& y) {
 class Heat {
  public:
   Heat(const Instant& now, Ledger entry) : of_block_(static_cast<std::size_t>(blocks_of(now.parts.disc.count()))) {
-    if (now.parts.keeps_ledger) of_block_[0] = now.y[now.layout.ledger_of(entry)];
+    if (now.parts.keeps_ledger) of_block_[0] = now.y[now.layout.ledger_of(entry)];  // J
   }
   void add(const ContactId& pair, double heat) { of_block_[pair.kind == disc_disc ? block_of(pair.a) : 0] += heat; }
-  double sum() const {
-    double all = of_block_[0];
-    for (std::size_t k = 1; k < of_block_.size(); ++k) all += of_block_[k];
-    return all;
+  double sum() {
+    join_blocks(of_block_, [](double& all, double one) { all += one; });
+    return of_block_[0];
   }
 
  private:
@@ -116,34 +115,34 @@ bool return_springs(const Instant& now, State& y) {
   Heat sliding(now, friction_work), rolling(now, rolling_work);
   bool changed = false;
   const auto set = [&](double& number, double value) {
-    changed = changed || value != number;
-    number = value;
+    changed = changed || value != number;  // the springs
+    number = value;                        // m or rad
   };
   for (const DiscreteState::Held& held : now.discrete.held) {
     const ContactId pair{static_cast<ContactKind>(held.kind), held.a, held.b};
-    double& spring = y[now.layout.spring_of(held.slot)];
-    double* turn = now.parts.rolling_spring ? &y[now.layout.turn_of(held.slot)] : nullptr;
-    const Proximity near = proximity(now, pair);
+    double& spring = y[now.layout.spring_of(held.slot)];                                    // m, xi
+    double* turn = now.parts.rolling_spring ? &y[now.layout.turn_of(held.slot)] : nullptr;  // rad, theta
+    const Proximity near = proximity(now, pair);                                            // m: where the two are
     if (!near.touching) {
       if (slot_followed(now, held) >= 0) continue;
-      const SpringEnergies lost = energy_at_opening(now, pair, spring, turn ? *turn : 0);
-      sliding.add(pair, lost.tangential);
-      rolling.add(pair, lost.rolling);
-      set(spring, 0);
-      if (turn) set(*turn, 0);
+      const SpringEnergies lost = energy_at_opening(now, pair, spring, turn ? *turn : 0);  // J
+      sliding.add(pair, lost.tangential);                                                  // J
+      rolling.add(pair, lost.rolling);                                                     // J
+      set(spring, 0);                                                                      // m
+      if (turn) set(*turn, 0);                                                             // rad
       continue;
     }
-    const Contact c = contact_of(now, pair, near);
+    const Contact c = contact_of(now, pair, near);  // with its force at the old xi
     const ContactLaw& law = now.parts.law[c.law];
-    const double before = spring;
-    set(spring, spring_after_step(law, c.touch, c.force));
-    sliding.add(pair, 0.5 * c.force.shear_stiffness * (before * before - spring * spring));
+    const double before = spring;                                                            // m
+    set(spring, spring_after_step(law, c.touch, c.force));                                   // m, within the limit
+    sliding.add(pair, 0.5 * c.force.shear_stiffness * (before * before - spring * spring));  // J
     if (!turn || !rolls_on_spring(law)) continue;
-    set(*turn, turn_after_step(law, c.touch, c.force));
+    set(*turn, turn_after_step(law, c.touch, c.force));  // rad, within the limit
     rolling.add(pair, 0.5 * rolling_stiffness(law, c.touch, c.force) * (c.touch.turn * c.touch.turn - *turn * *turn));
   }
-  if (now.parts.keeps_ledger) y[now.layout.ledger_of(friction_work)] = sliding.sum();
-  if (now.parts.keeps_ledger && now.parts.rolling_spring) y[now.layout.ledger_of(rolling_work)] = rolling.sum();
+  if (now.parts.keeps_ledger) y[now.layout.ledger_of(friction_work)] = sliding.sum();                             // J
+  if (now.parts.keeps_ledger && now.parts.rolling_spring) y[now.layout.ledger_of(rolling_work)] = rolling.sum();  // J
   return follow_springs(now, y) || changed;
 }
 
@@ -152,7 +151,7 @@ HeldFaces faces_after(const Instant& now) {
   HeldFaces kept;
   for_each_pair(now.parts, [&](const ContactId& pair) {
     if (!of_plate(pair.kind)) return;
-    const Vec2 at = of_disc(pair.kind) ? disc_of(now, pair.a).at : node_of(now, pair.a).at;
+    const Vec2 at = of_disc(pair.kind) ? disc_of(now, pair.a).at : node_of(now, pair.a).at;  // m
     const Face face = face_after(now.parts, now.discrete.faces, pair, at, now.discrete.preparing ? 0 : now.t);
     if (face != no_face) kept.push_back({pair.kind, pair.a, pair.b, face});
   });
@@ -161,9 +160,9 @@ HeldFaces faces_after(const Instant& now) {
 
 // J, in the contacts of lattices.
 double energy_on_lattices(const Instant& now) {
-  double energy = 0;
+  double energy = 0;  // J
   for (const Contact& c : contacts(now)) {
-    if (c.id.kind == disc_lattice) energy += stored_energy(now.parts, c);
+    if (c.id.kind == disc_lattice) energy += stored_energy(now.parts, c);  // J
   }
   return energy;
 }
@@ -176,19 +175,19 @@ std::vector<Tear> tear_links(const Instant& now, DiscreteState& discrete, State&
   double released = 0;  // J
   for (int k = 0; k < link.count(); ++k) {
     if (is_torn(now.discrete, k)) continue;
-    const Vec2 r = node_of(now, link.a[k]).at - node_of(now, link.b[k]).at;
-    const double stretch = std::sqrt(dot(r, r)) - link.rest[k];  // m
-    const double force = link.stiffness[k] * stretch;            // N
-    if (!link_tears(force, link.strength[k], link.in_magnitude[k] != 0)) continue;
-    tears.push_back({now.t, k, force});
-    released += 0.5 * force * stretch;
+    const Vec2 r = node_of(now, link.a[k]).at - node_of(now, link.b[k]).at;  // m
+    const double stretch = std::sqrt(dot(r, r)) - link.rest[k];              // m
+    const double force = link.stiffness[k] * stretch;                        // N
+    if (!link_tears(force, link.strength[k], link.tear_rule(k))) continue;
+    tears.push_back({now.t, k, force});  // s, link, N
+    released += 0.5 * force * stretch;   // J, of the spring
   }
   if (tears.empty()) return tears;
-  if (now.parts.keeps_ledger) released += energy_on_lattices(now);
-  for (const Tear& tear : tears) discrete.torn.push_back(tear.link);
+  if (now.parts.keeps_ledger) released += energy_on_lattices(now);    // J, on the old border
+  for (const Tear& tear : tears) discrete.torn.push_back(tear.link);  // from now on
   std::sort(discrete.torn.begin(), discrete.torn.end());
-  discrete.border = touched_segments(now.parts, discrete.torn);
-  if (now.parts.keeps_ledger) y[now.layout.ledger_of(tear_energy)] += released - energy_on_lattices(now);
+  discrete.border = touched_segments(now.parts, discrete.torn);  // segments that discs touch from now on
+  if (now.parts.keeps_ledger) y[now.layout.ledger_of(tear_energy)] += released - energy_on_lattices(now);  // J
   return tears;
 }
 
@@ -204,7 +203,7 @@ Reference::Reference(const std::shared_ptr<const Parts>& parts)
 JumpReport Reference::jump(double t, State& y) {
   const Instant now{*parts_, layout_, discrete_, t, y};
   JumpReport report;
-  if (parts_->tight_plates) discrete_.faces = faces_after(now);
+  if (parts_->tight_plates) discrete_.faces = faces_after(now);  // from now on
   if (parts_->friction) {
     report.grown = Slots(*parts_, layout_, discrete_, y).hand_out(t);
     report.springs_changed = return_springs(now, y);
@@ -229,9 +228,9 @@ void Reference::for_each_contact(double t, const State& y, const Visit& visit) c
 void Reference::restore(const DiscreteState& discrete) {
   if (!belongs_to(discrete, *parts_) || (layout_.dummy_slots == 0 && discrete.spring_count() > 0))
     throw std::invalid_argument("the discrete state is not one of this scene");
-  discrete_ = discrete;
-  discrete_.border = touched_segments(*parts_, discrete.torn);
-  layout_.spring_count = discrete.spring_count();
+  discrete_ = discrete;                                         // as handed out by discrete_state()
+  discrete_.border = touched_segments(*parts_, discrete.torn);  // it follows from the torn links
+  layout_.spring_count = discrete.spring_count();               // slots
 }
 
 }  // namespace furrow::reference

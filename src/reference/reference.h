@@ -8,9 +8,14 @@
 // system/order.h (the order of sums), then
 //
 //   contact.cpp   one contact: where two parts touch, how they move there, and what the law answers
-//   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger
+//   flow.cpp      y' = f(t, y): all contacts, all links, the sums of forces, the ledger; the force on plates and walls
 //   jump.cpp      after each accepted step: faces of plates kept, slots handed out, springs returned to the Coulomb
 //                 limit, what the run's watches ask for, links torn
+//
+// The geometry that contact.cpp calls stands below it, for the kernel shares it: physics/geometry.h (nearest points),
+// physics/held_face.h (a rectangle of which one face is kept), system/surface.h (where a plate is; the gap to a plate,
+// wall or border), system/held_faces.h (plates that are one surface, and which of them feels a body), system/border.h
+// (which segments discs can touch).
 //
 // What a jump means for a method's history: methods/method.h. What continues a run exactly: system/discrete.h.
 #pragma once
@@ -68,6 +73,12 @@ void for_each_pair(const Parts& parts, const std::function<void(const ContactId&
 
 // All contacts that touch, in the same order.
 std::vector<Contact> contacts(const Instant& now);
+
+// N: what each plate and each wall feels.
+struct FlatForces {
+  std::vector<Vec2> plate, wall;
+};
+FlatForces forces_on_flats(const Instant& now);
 
 // y' = f(t, y).
 void flow(const Instant& now, State& rates);

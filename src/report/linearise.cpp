@@ -152,6 +152,19 @@ struct Powers {
   }
 };
 
+// N m s and N m: how the rolling moment answers to a change of spin and of turn.
+struct RollingResponse {
+  double viscosity = 0, stiffness = 0;
+};
+
+RollingResponse rolling_response(const ContactLaw& law, const Contact& c, double rolling_smoothing) {
+  if (!(law.rolling > 0)) return {};
+  if (!rolls_on_spring(law)) return {rolling_viscosity(law, c.touch, c.force.normal, rolling_smoothing)};
+  if (std::fabs(c.force.moment) >= rolling_limit(law, c.touch, c.force)) return {};  // it turns at its limit
+  const double kr = rolling_stiffness(law, c.touch, c.force);
+  return {rolling_spring_viscosity(law, c.touch, kr), kr};
+}
+
 Powers powers_of(const System& system, const Contact& c, const Motion& motion, double rate) {
   const Parts& parts = system.parts();
   auto v = of_disc(c.id.kind) ? motion.body(c.id.a) : motion.node(c.id.a);
@@ -169,14 +182,14 @@ Powers powers_of(const System& system, const Contact& c, const Motion& motion, d
   const double approach = std::norm(v[0] * c.nx + v[1] * c.ny);
   const double slip = std::norm(v[1] * c.nx - v[0] * c.ny + spin_a * c.arm_a + spin_b * c.arm_b);
   const ContactLaw& law = parts.law[c.law];
-  const double viscosity = law.viscosity * std::sqrt(c.force.stiffness * c.touch.reduced_mass);
+  const double viscosity = normal_viscosity(law, c.touch, c.force);
   const double held = -c.force.shear_stiffness * c.touch.spring - c.force.shear_viscosity * c.touch.slip;
   Powers p;
-  if (c.force.normal > 0 || c.touch.overlap > 0) p.normal = (viscosity + c.force.stiffness / rate) * approach;
+  if (c.force.normal > law.floor) p.normal = (viscosity + c.force.stiffness / rate) * approach;
   if (law.friction > 0 && held == c.force.tangential)
     p.shear = (c.force.shear_viscosity + c.force.shear_stiffness / rate) * slip;
-  p.rolling = law.rolling * c.touch.reduced_radius * std::max(c.force.normal, 0.0) / system.rolling_smoothing() *
-              std::norm(spin_a - spin_b);
+  const RollingResponse rolling = rolling_response(law, c, system.rolling_smoothing());
+  p.rolling = (rolling.viscosity + rolling.stiffness / rate) * std::norm(spin_a - spin_b);
   return p;
 }
 

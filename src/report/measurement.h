@@ -68,7 +68,7 @@ class Measurement {
 // What a task gives, and the CPU time of it in s: {"failed": what} if it throws what is a result.
 std::pair<Json, double> result_of(const Task& task);
 
-// Makes a sample of the cheap numbers of a study anew, as chosen by `draw`, and returns the kept ones for all else.
+// Makes a sample of the cheap numbers of a study again, as chosen by `draw`, and returns the kept ones for all else.
 class Recomputation final : public Measurement {
  public:
   Recomputation(std::string study, const Numbers& kept, const Sources& sources, std::uint64_t draw, double most_cpu);

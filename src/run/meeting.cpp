@@ -25,7 +25,7 @@ struct Depths {
 // How deep a point is in a moving segment, less `reach`, when this share of the step is over.
 double depth_at(const Path& to_a, const Path& to_b, bool torn, double share) {
   const Vec2 a = at(to_a, share), b = at(to_b, share);
-  return -std::sqrt(nearest_on_segment({0, 0}, a, b, 0, torn).distance2);
+  return -std::sqrt((torn ? nearest_end({0, 0}, a, b) : nearest_on_segment({0, 0}, a, b, 0)).distance2);
 }
 
 // A disc, or a segment of a border, with what surrounds its way.

@@ -59,7 +59,7 @@ class DriveForces {
       const int a = link.a[k], b = link.b[k];
       if (system.torn(k) || (parts_.node.drive[a] < 0 && parts_.node.drive[b] < 0)) continue;
       const LinkForce f = link_force({n.x[a] - n.x[b], n.y[a] - n.y[b]}, {n.vx[a] - n.vx[b], n.vy[a] - n.vy[b]},
-                                     link.rest[k], link.stiffness[k], link.damping[k], link.axial[k] != 0);
+                                     link.rest[k], link.stiffness[k], link.damping[k], link.damper(k));
       add(a, f.fx, f.fy);
       add(b, -f.fx, -f.fy);
     }

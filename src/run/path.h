@@ -22,7 +22,7 @@ inline Vec2 at(const Path& path, double share) {
 }
 
 // The share at which it is nearest to the origin.
-inline double nearest_share(const Path& path) { return nearest_on_segment({0, 0}, path.from, path.to, 0, false).share; }
+inline double nearest_share(const Path& path) { return nearest_share({0, 0}, path.from, path.to); }
 
 // The shares of the step at which the origin is on the line through two points that move, at most two; NaN: none.
 //   a(s) x b(s) = a x b + s (a x db + da x b) + s^2 da x db

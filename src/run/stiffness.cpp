@@ -47,7 +47,7 @@ void add_contacts(const System& system, double t, const State& y, std::vector<Bo
       if (inertia > 0 && rolls_on_spring(law)) {
         const double kr = rolling_stiffness(law, c.touch, c.force);
         b.stiffness(2, 2) += kr / inertia;
-        b.damping(2, 2) += 2 * law.options.rolling_damping * std::sqrt(c.touch.rolling_inertia * kr) / inertia;
+        b.damping(2, 2) += rolling_spring_viscosity(law, c.touch, kr) / inertia;
       } else if (inertia > 0) {
         b.damping(2, 2) += law.rolling * c.touch.reduced_radius * std::max(c.force.normal, 0.0) /
                            (system.rolling_smoothing() * inertia);

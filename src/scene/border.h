@@ -58,7 +58,7 @@ class StandingLattice {
     Standing s{infinity, false};
     for (std::size_t k = 0; k < segments(); ++k) {
       const Vec2 a = border_[k], b = border_[(k + 1) % border_.size()];
-      s.distance = std::min(s.distance, std::sqrt(nearest_on_segment(p, a, b, 0, false).distance2));
+      s.distance = std::min(s.distance, std::sqrt(nearest_on_segment(p, a, b, 0).distance2));
       if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) s.inside = !s.inside;
     }
     s.inside = s.inside && encloses();

@@ -70,7 +70,7 @@ class Findings {
   bool sound() const { return all_known() && !any_error(); }
   // The same of this path and all below it.
   bool sound(const std::string& path) const {
-    return known(path) && !untold_.touches(path) && std::none_of(list_.begin(), list_.end(), [&](const Finding& f) {
+    return known(path) && !unlisted_.touches(path) && std::none_of(list_.begin(), list_.end(), [&](const Finding& f) {
              return !f.warning && (f.path == path || f.path.starts_with(path + '.') || f.path.starts_with(path + '['));
            });
   }
@@ -81,32 +81,32 @@ class Findings {
       if (more_[warning] > 0)
         all.push_back({"",
                        std::to_string(more_[warning]) + (warning ? " warnings" : " errors") + " more than the " +
-                           std::to_string(most) + " that are told; mend these first",
+                           std::to_string(most) + " that are listed; mend these first",
                        {},
                        warning});
     return all;
   }
 
  private:
-  // A mistake that is made for each of many parts is told often enough; what is not told is known to be wrong all the same.
+  // A mistake that is made for each of many parts is listed often enough; what is not listed is known to be wrong all the same.
   static constexpr long most = 200;
 
   void add(Finding f) {
     const auto& others = f.others;
     if (!std::all_of(others.begin(), others.end(), [&](const std::string& other) { return known(other); })) return;
     if (!known(f.path)) return;
-    if (told_[f.warning] < most) {
-      ++told_[f.warning];
+    if (listed_[f.warning] < most) {
+      ++listed_[f.warning];
       list_.push_back(std::move(f));
     } else {
       ++more_[f.warning];
-      if (!f.warning) untold_.add(f.path);
+      if (!f.warning) unlisted_.add(f.path);
     }
   }
 
-  Unread unread_, untold_;
+  Unread unread_, unlisted_;
   std::vector<Finding> list_;
-  long told_[2] = {0, 0}, more_[2] = {0, 0};  // by warning
+  long listed_[2] = {0, 0}, more_[2] = {0, 0};  // by warning
 };
 
 // Each of these judges one aspect of a scene.

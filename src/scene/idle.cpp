@@ -53,7 +53,7 @@ class IdleJudge {
     });
   }
 
-  // What chooses no link, or says nothing of those that it chooses, is told elsewhere.
+  // What chooses no link, or says nothing of those that it chooses, is found elsewhere.
   void judge_links(const std::string& path, const Lattice& l, const std::vector<LatticeLink>& links) {
     const auto settings = static_cast<double>(l.link.size());
     if (settings * settings * static_cast<double>(links.size()) > most_compared) return;

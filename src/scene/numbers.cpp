@@ -121,7 +121,7 @@ class NumberJudge {
     for (std::size_t j = 0; j <= index_; ++j) {
       const Material& other = scene_.material[j];
       if (!complete(other) || (m.rigid && other.rigid)) continue;
-      const ContactLaw law = contact_law(elastic_of(m), elastic_of(other), 0, 0, 0, false);
+      const ContactLaw law = contact_law(elastic_of(m), elastic_of(other), 0, 0, 0);
       if (sound(law.modulus) && sound(law.shear_modulus) && sound(law.shear_ratio)) continue;
       found_.error(at(""), "in contact with " + in_quotes(other.name) + ": E* = " + shortest(law.modulus) +
                                " Pa, G* = " + shortest(law.shear_modulus) + " Pa, which cannot be computed with");
@@ -144,7 +144,7 @@ class NumberJudge {
     finite("velocity", "kinetic energy [J]", 0.5 * mass * speed2);
     finite("spin", "energy of the spin [J]", 0.5 * inertia * spin * spin);
     if (m.rigid || !complete(m)) return;
-    const double modulus = contact_law(elastic_of(m), elastic_of(m), 0, 0, 0, false).modulus;
+    const double modulus = contact_law(elastic_of(m), elastic_of(m), 0, 0, 0).modulus;
     if (sound(modulus)) positive(key, "E* R^2 [N]", modulus * radius * radius);
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/constants.h"
+#include "physics/link.h"
 #include "physics/options.h"
 #include "physics/vec2.h"
 
@@ -16,8 +17,6 @@ namespace furrow {
 enum class DiscMass { disc, sphere };  // m = rho pi R^2 b, I = m R^2 / 2;  m = 4/3 pi rho R^3, I = 2/5 m R^2
 // Of the contact force: to the contact point, half the overlap short of the surface, or the whole radius.
 enum class MomentArm { contact_point, half_overlap, radius };
-enum class Damper { axial, full };           // a link's damper acts along the link, or on the whole relative velocity
-enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
 // The fast solver, or the one made to be read: the same bits, at least ten times slower, and more so in larger beds.
 enum class SolverKind { kernel, reference };
 // Events at which a step ends early: none (as in the paper: links tear at the end of a step), tears, or also touches

@@ -1,10 +1,10 @@
 #include "system/discrete.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "system/border.h"
+#include "system/order.h"
 
 namespace furrow {
 namespace {
@@ -34,9 +34,7 @@ Counts counts_of(const Parts& parts, int kind) {
   }
 }
 
-bool before(const DiscreteState::Held& one, const DiscreteState::Held& other) {
-  return std::tie(one.kind, one.a, one.b) < std::tie(other.kind, other.a, other.b);
-}
+bool before(const DiscreteState::Held& one, const DiscreteState::Held& other) { return comes_before(one, other); }
 
 }  // namespace
 
@@ -59,9 +57,6 @@ int slot_of(const DiscreteState& d, const ContactId& c) {
 namespace {
 
 bool faces_belong_to(const HeldFaces& faces, const Parts& parts) {
-  const auto before = [](const HeldFace& one, const HeldFace& other) {
-    return std::tie(one.kind, one.a, one.b) < std::tie(other.kind, other.a, other.b);
-  };
   bool good = parts.tight_plates || faces.empty();
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const HeldFace& f = faces[k];
@@ -69,7 +64,7 @@ bool faces_belong_to(const HeldFaces& faces, const Parts& parts) {
     good = good && (f.kind == disc_plate || f.kind == node_plate) && f.face >= left_face && f.face <= upper_face;
     good = good && f.a >= 0 && f.a < most.a && f.b >= 0 && f.b < most.b;
     good = good && (f.kind == disc_plate || parts.node.body[f.a] >= 0);
-    good = good && (k == 0 || before(faces[k - 1], f));
+    good = good && (k == 0 || comes_before(faces[k - 1], f));
   }
   return good;
 }

@@ -1,7 +1,8 @@
 #include "system/held_faces.h"
 
 #include <algorithm>
-#include <tuple>
+
+#include "system/order.h"
 
 namespace furrow {
 namespace {
@@ -23,9 +24,7 @@ bool holds(const PlatePart& plate, double t, Vec2 p) {
   return p.x >= r.left && p.x <= r.right && p.y >= r.lower && p.y <= r.upper;
 }
 
-bool before(const HeldFace& one, const HeldFace& other) {
-  return std::tie(one.kind, one.a, one.b) < std::tie(other.kind, other.a, other.b);
-}
+bool before(const HeldFace& one, const HeldFace& other) { return comes_before(one, other); }
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 // The law of each pair of materials, from what a scene says of contacts.
-#include <cmath>
-
 #include "physics/damping.h"
+#include "physics/linear.h"
 #include "system/parts.h"
 
 namespace furrow {
@@ -58,12 +57,8 @@ void set_options(const Model& model, const ContactParameters& c, const Damping& 
     o.rolling_stiffness = c.rolling_stiffness.value_or(0);
     o.rolling_damping = c.rolling_damping.value_or(default_rolling_damping);
   }
-  if (model.law == ForceLaw::linear) {
-    o.normal_stiffness = c.normal_stiffness.value_or(0);
-    o.tangential_stiffness = c.tangential_stiffness.value_or(0);
-    law.viscosity = 2 * damping.beta;
-    law.shear_ratio = std::sqrt(o.tangential_stiffness / o.normal_stiffness);
-  }
+  if (model.law == ForceLaw::linear)
+    make_linear(law, c.normal_stiffness.value_or(0), c.tangential_stiffness.value_or(0), damping.beta);
   if (!model.slip_damping) law.shear_ratio = 0;
 }
 
@@ -78,7 +73,8 @@ std::vector<ContactLaw> laws_of(const Scene& scene) {
       const ContactParameters c = merged(scene.contact, pair);
       const Damping own = pair ? damping_of(*pair, damping) : damping;
       const double rolling = scene.model.rolling == Rolling::none ? 0 : c.rolling_friction;
-      laws.push_back(contact_law(elastic_of(a), elastic_of(b), own.beta, c.friction, rolling, scene.model.pull));
+      laws.push_back(contact_law(elastic_of(a), elastic_of(b), own.beta, c.friction, rolling));
+      if (scene.model.pull) let_pull(laws.back());
       set_options(scene.model, c, own, laws.back());
     }
   }

@@ -23,7 +23,7 @@ Layout make_layout(const Parts& parts) {
   l.bodies = parts.bodies();
   l.first_spring = 4 * l.bodies + (parts.friction ? parts.disc.count() : 0);
   l.spring_count = parts.friction ? slots_needed(parts) : 0;
-  l.dummy_slots = l.spring_count > 0 ? 1 + parts.disc.count() / discs_per_block : 0;
+  l.dummy_slots = l.spring_count > 0 ? 1 + block_of(parts.disc.count()) : 0;
   l.slot_width = parts.rolling_spring ? 2 : 1;
   l.keeps_ledger = parts.keeps_ledger;
   l.angles = parts.keeps_angles ? parts.disc.count() : 0;

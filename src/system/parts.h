@@ -39,7 +39,9 @@ struct LinkArrays {
   std::vector<double> rest, stiffness, damping, strength;  // m, N/m, N s/m, N
   std::vector<LinkClass> kind;
   std::vector<char> axial, in_magnitude;  // damper and tear rule
-  std::vector<int> notched;               // torn from the start, ascending
+  Damper damper(int link) const { return axial[link] != 0 ? Damper::axial : Damper::full; }
+  TearRule tear_rule(int link) const { return in_magnitude[link] != 0 ? TearRule::magnitude : TearRule::tension; }
+  std::vector<int> notched;  // torn from the start, ascending
   int count() const { return static_cast<int>(a.size()); }
 };
 

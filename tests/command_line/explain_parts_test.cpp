@@ -41,6 +41,22 @@ bending = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
   EXPECT_NE(text.find("tears in tension at 330 N, in bending at 2.05 N m"), std::string::npos) << text;
 }
 
+TEST_F(Explain, SaysHowAPlateReachesItsSpeed) {
+  const std::string plates = R"(
+title = "Plates"
+time = { end = 0.1, step = 1e-4 }
+material = [{ name = "soft", young = 1e6, poisson = 0.25 }]
+plate = [{ name = "sudden", left_edge = 0.0, lower_edge = 0.0, velocity = [0.1, 0.0], material = "soft" },
+         { name = "slow", left_edge = 1.0, lower_edge = 0.0, velocity = [0.1, 0.0], ramp = 0.2, material = "soft" },
+         { name = "still", left_edge = 2.0, lower_edge = 0.0, material = "soft" }]
+)";
+  const std::string text = explain(plates);
+  ASSERT_EQ(code_, 0) << errors_;
+  EXPECT_TRUE(std::regex_search(text, std::regex("plate sudden +ramp: none, full speed at once"))) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("plate slow +reaches its speed in 0.2 s"))) << text;
+  EXPECT_FALSE(std::regex_search(text, std::regex("plate still +ramp"))) << text;
+}
+
 TEST_F(Explain, CountsWhatIsModelled) {
   const std::string text = explain(discs);
   // 2 discs: x, y, vx, vy, spin; room for springs and one dummy slot; 7 of the ledger.

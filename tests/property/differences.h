@@ -77,6 +77,14 @@ inline std::string difference(const System& one, const State& y, const System& o
   return found;
 }
 
+// Slots that both have, the next one last. How many more one of them made at a time may differ.
+inline std::string unused_of_both(const DiscreteState& one, const DiscreteState& other) {
+  std::string text;
+  for (const int slot : one.unused)
+    if (slot < std::min(one.spring_count(), other.spring_count())) text += ' ' + std::to_string(slot);
+  return text;
+}
+
 inline std::string difference(const DiscreteState& one, const DiscreteState& other, const Sides& sides = {}) {
   const auto as_text = [](const DiscreteState::Held& held) {
     return std::string(contact_kind_names[held.kind]) + ' ' + std::to_string(held.a) + ' ' + std::to_string(held.b) +
@@ -87,6 +95,8 @@ inline std::string difference(const DiscreteState& one, const DiscreteState& oth
     if (link(one.torn) != link(other.torn))
       return differing("the next torn link", sides, link(one.torn), link(other.torn));
   }
+  if (one.preparing != other.preparing)
+    return differing("whether the scene is prepared", sides, one.preparing, other.preparing);
   if (one.jumps != other.jumps) return differing("the number of jumps", sides, one.jumps, other.jumps);
   for (std::size_t k = 0; k < std::min(one.held.size(), other.held.size()); ++k) {
     const std::string left = as_text(one.held[k]), right = as_text(other.held[k]);
@@ -104,52 +114,80 @@ inline std::string difference(const DiscreteState& one, const DiscreteState& oth
   if (one.border != other.border) return "which segments discs touch";
   if (one.held.size() != other.held.size())
     return differing("how many contacts hold a slot", sides, one.held.size(), other.held.size());
+  if (unused_of_both(one, other) != unused_of_both(other, one))
+    return differing("which slots are unused", sides, unused_of_both(one, other), unused_of_both(other, one));
   return {};
 }
 
-inline std::string difference(const Contact& one, const Contact& other) {
-  const auto numbers = [](const Contact& c) {
-    return std::vector<double>{c.share,
-                               c.nx,
-                               c.ny,
-                               c.arm_a,
-                               c.arm_b,
-                               c.vx,
-                               c.vy,
-                               c.spin_a,
-                               c.spin_b,
-                               c.touch.overlap,
-                               c.touch.approach,
-                               c.touch.slip,
-                               c.touch.spring,
-                               c.touch.spin,
-                               c.touch.reduced_radius,
-                               c.touch.reduced_mass,
-                               c.touch.turn,
-                               c.touch.rolling_inertia,
-                               c.force.elastic,
-                               c.force.normal,
-                               c.force.tangential,
-                               c.force.moment,
-                               c.force.stiffness,
-                               c.force.shear_stiffness,
-                               c.force.shear_viscosity,
-                               c.fx,
-                               c.fy,
-                               c.torque_a,
-                               c.torque_b};
+struct NamedNumber {
+  const char* name;
+  double value;
+};
+
+inline std::vector<NamedNumber> numbers_of(const Contact& c) {
+  return {{"segment", static_cast<double>(c.segment)},
+          {"share", c.share},
+          {"nx", c.nx},
+          {"ny", c.ny},
+          {"arm of a", c.arm_a},
+          {"arm of b", c.arm_b},
+          {"vx", c.vx},
+          {"vy", c.vy},
+          {"spin of a", c.spin_a},
+          {"spin of b", c.spin_b},
+          {"law", static_cast<double>(c.law)},
+          {"slot", static_cast<double>(c.slot)},
+          {"overlap", c.touch.overlap},
+          {"approach", c.touch.approach},
+          {"slip", c.touch.slip},
+          {"spring", c.touch.spring},
+          {"relative spin", c.touch.spin},
+          {"R*", c.touch.reduced_radius},
+          {"m*", c.touch.reduced_mass},
+          {"turn", c.touch.turn},
+          {"rolling inertia", c.touch.rolling_inertia},
+          {"elastic force", c.force.elastic},
+          {"normal force", c.force.normal},
+          {"tangential force", c.force.tangential},
+          {"rolling moment", c.force.moment},
+          {"stiffness", c.force.stiffness},
+          {"shear stiffness", c.force.shear_stiffness},
+          {"shear viscosity", c.force.shear_viscosity},
+          {"fx", c.fx},
+          {"fy", c.fy},
+          {"torque of a", c.torque_a},
+          {"torque of b", c.torque_b}};
+}
+
+// "spring of the disc-wall contact of disc 3 and wall 0". A zero has no sign here.
+inline std::string difference(const Parts& parts, const Contact& one, const Contact& other, const Sides& sides = {}) {
+  const auto name = [&](const ContactId& id) {
+    return "the " + std::string(contact_kind_names[id.kind]) + " contact of " + contact_name(parts, id);
   };
-  const std::vector<double> a = numbers(one), b = numbers(other);
-  std::ostringstream text;
-  text.precision(17);
-  if (one.id.kind != other.id.kind || one.id.a != other.id.a || one.id.b != other.id.b || one.law != other.law ||
-      one.slot != other.slot || one.segment != other.segment)
-    text << "another contact, law, slot or segment";
-  for (std::size_t k = 0; k < a.size() && text.str().empty(); ++k) {
-    if (a[k] != b[k] && !same_bits(a[k], b[k]))
-      text << "number " << k << " of it: kernel " << a[k] << ", reference " << b[k];
+  if (one.id.kind != other.id.kind || one.id.a != other.id.a || one.id.b != other.id.b)
+    return differing("the next contact", sides, name(one.id), name(other.id));
+  const std::vector<NamedNumber> left = numbers_of(one), right = numbers_of(other);
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    if (left[k].value != right[k].value && !same_bits(left[k].value, right[k].value))
+      return differing(left[k].name + (" of " + name(one.id)), sides, left[k].value, right[k].value);
   }
-  return text.str();
+  return {};
+}
+
+// Of two reports of one jump: which links tore, when and under which force.
+inline std::string difference(const Parts& parts, const std::vector<Tear>& one, const std::vector<Tear>& other,
+                              const Sides& sides = {}) {
+  for (std::size_t k = 0; k < std::max(one.size(), other.size()); ++k) {
+    const auto link = [&](const std::vector<Tear>& tears) {
+      return k < tears.size() ? parts.link_name(tears[k].link) : std::string("none");
+    };
+    if (link(one) != link(other)) return differing("the next link that tears", sides, link(one), link(other));
+    if (!same_bits(one[k].time, other[k].time))
+      return differing("when " + link(one) + " tears", sides, one[k].time, other[k].time);
+    if (!same_bits(one[k].force, other[k].force))
+      return differing("the force that tears " + link(one), sides, one[k].force, other[k].force);
+  }
+  return {};
 }
 
 }  // namespace furrow::test

@@ -70,6 +70,8 @@ inline void add_law_options(Scene& s) {
 
 inline void add_options(Scene& s) {
   s.model.gravity = either() ? 9.81 : 0;
+  if (either()) s.model.disc_depth = 0.1 + part(up_to(2000));
+  if (either()) s.model.rolling_smoothing = 0.01 * (1 + up_to(1000));
   s.model.disc_mass = either() ? DiscMass::sphere : DiscMass::disc;
   s.model.moment_arm = *rc::gen::element(MomentArm::contact_point, MomentArm::half_overlap, MomentArm::radius);
   s.model.pull = either();
@@ -88,6 +90,7 @@ inline void add_options(Scene& s) {
   if (either()) add_law_options(s);
   s.output.energy = either();
   s.output.angles = either();
+  s.search.threads = 1 + up_to(3);  // one works unless the bed is large
   s.search.skin = either() ? 1e-5 * up_to(1000) : 0;
   s.search.cell_size = either() ? 1e-4 * (1 + up_to(1000)) : 0;
 }
@@ -126,9 +129,12 @@ inline void add_lattice_options(Lattice& l) {
   for (NodeSetting& n : l.node) n.fixed_x = either(), n.fixed_y = either();
   if (either()) l.link.push_back({.rows = {0, 1}, .stiffness_factor = 0.5, .strength_factor = 0.1});
   if (either()) l.link.push_back({.cut_from = Vec2{-0.01, 0.031}, .cut_to = Vec2{0.025, 0.031}, .torn = true});
+  if (either()) l.contact_radius = 0.002 + part(up_to(20));
   if (either()) l.drive = {{.rows = {l.rows - 1}, .velocity = {0.5, 0.1 * up_to(3)}, .ramp = either() ? 2e-3 : 0}};
+  if (l.drive.empty() && either()) l.fixed_columns = {up_to(l.columns - 1)};
   if (!either()) return;
   l.columns = 3;
+  l.fixed_columns.clear();
   l.stem = Stem{1e4, 0.3, 0.04, 0.08 + part(up_to(20)), 50.0 * up_to(9), part(up_to(9))};  // five rows or six
   for (NodeSetting& n : l.node) n.row = std::min(n.row, 4);
 }
@@ -160,6 +166,16 @@ inline void add_lattices(Scene& s) {
   }
 }
 
+// Of walls and plates alone: of two rigid parts neither would give way.
+inline void use_rigid_material(Scene& s) {
+  Material rigid;
+  rigid.name = "rigid";
+  rigid.rigid = true;
+  s.material.push_back(rigid);
+  for (Wall& w : s.wall) w.material = either() ? "rigid" : w.material;
+  for (Plate& p : s.plate) p.material = either() ? "rigid" : p.material;
+}
+
 inline Scene some_scene() {
   Scene s;
   s.material = materials();
@@ -167,6 +183,7 @@ inline Scene some_scene() {
   add_walls(s);
   add_plates(s);
   add_lattices(s);
+  if (either()) use_rigid_material(s);
   for (const Thrown& t : some_discs()) {
     s.disc.push_back({{0.2 * part(t.x), 0.2 * part(t.y)},
                       0.005 + 0.015 * part(t.radius),

@@ -27,7 +27,9 @@ constexpr double elastic = 0.32 / 9;                // N
 const double viscous = 160 * std::sqrt(5.0 / 6.0);  // N s/m, 2 sqrt(5/6) 20 sqrt(Sn m*)
 
 ContactLaw paper_law(double mu = 0.5, double mu_rolling = 0.5, bool pull = false) {
-  return contact_law(paper, paper, 20, mu, mu_rolling, pull);
+  ContactLaw law = contact_law(paper, paper, 20, mu, mu_rolling);
+  if (pull) let_pull(law);
+  return law;
 }
 
 Touch touch() {
@@ -44,7 +46,7 @@ TEST(ContactModuli, PaperMaterialAgainstItself) {
 }
 
 TEST(ContactModuli, RigidPartnerAddsNothing) {
-  const ContactLaw law = contact_law(paper, rigid, 20, 0.5, 0.5, false);
+  const ContactLaw law = contact_law(paper, rigid, 20, 0.5, 0.5);
   expect_close(law.modulus, 2e5 / 0.75);
   expect_close(law.shear_modulus, 2e5 / 2.5);
 }
@@ -52,7 +54,7 @@ TEST(ContactModuli, RigidPartnerAddsNothing) {
 TEST(ContactModuli, DifferentMaterialsAddCompliances) {
   const Elastic one{.young = 1e6, .poisson = 0.25, .rigid = false};  // (1 - 1/16)/1e6; G = 4e5: 1.75/4e5
   const Elastic two{.young = 3e6, .poisson = 0.5, .rigid = false};   // 0.75/3e6; G = 1e6: 1.5/1e6
-  const ContactLaw law = contact_law(one, two, 0, 0, 0, false);
+  const ContactLaw law = contact_law(one, two, 0, 0, 0);
   expect_close(law.modulus, 1e6 / 1.1875);
   expect_close(law.shear_modulus, 1e6 / 5.875);
 }
@@ -60,8 +62,8 @@ TEST(ContactModuli, DifferentMaterialsAddCompliances) {
 TEST(ContactModuli, OrderOfPartnersDoesNotMatter) {
   const Elastic one{.young = 1e6, .poisson = 0.25, .rigid = false};
   const Elastic two{.young = 3e6, .poisson = 0.5, .rigid = false};
-  const ContactLaw forth = contact_law(one, two, 0.1, 0.2, 0.3, false);
-  const ContactLaw back = contact_law(two, one, 0.1, 0.2, 0.3, false);
+  const ContactLaw forth = contact_law(one, two, 0.1, 0.2, 0.3);
+  const ContactLaw back = contact_law(two, one, 0.1, 0.2, 0.3);
   EXPECT_EQ(forth.modulus, back.modulus);
   EXPECT_EQ(forth.shear_modulus, back.shear_modulus);
 }
@@ -212,7 +214,7 @@ TEST(DampingFactor, GivesTheRestitutionBack) {
 // xi* = mu Fe/St = mu E* d/(6 G*), damped or not, so that xi* d'/(2 d) has no d in it.
 TEST(RescaledMindlin, ASpringBeyondItsLimitHasABoundedRateHoweverSmallTheOverlap) {
   for (const double beta : {0.0, 0.2, 0.9}) {
-    ContactLaw law = contact_law(paper, paper, beta, 0.5, 0, false);
+    ContactLaw law = contact_law(paper, paper, beta, 0.5, 0);
     law.options.force = ForceLaw::rescaled_mindlin;
     for (const double overlap : {1e-6, 1e-12, 1e-18}) {
       for (const double spring : {1e-4, -1e-4}) {
@@ -235,7 +237,7 @@ TEST(RescaledMindlin, ASpringBeyondItsLimitHasABoundedRateHoweverSmallTheOverlap
 TEST(RescaledMindlin, BooksWhatItDoesNotStoreWithinItsLimitAndBeyond) {
   int supplied = 0;
   for (const double beta : {0.0, 0.2}) {
-    ContactLaw law = contact_law(paper, paper, beta, 0.5, 0, false);
+    ContactLaw law = contact_law(paper, paper, beta, 0.5, 0);
     law.options.force = ForceLaw::rescaled_mindlin;
     for (const double spring : {1e-6, -1e-6, 4e-5, -4e-5, 1e-4, -1e-4}) {  // the limit is 2.8e-5 m
       for (const double approach : {0.1, -0.1}) {
@@ -258,7 +260,7 @@ TEST(RescaledMindlin, BooksWhatItDoesNotStoreWithinItsLimitAndBeyond) {
 
 // kt xi^2/2 is heat of friction, kr theta^2/2 of rolling.
 TEST(EnergyAtOpening, IsBookedSpringBySpring) {
-  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0.1, false);
+  ContactLaw law = contact_law(paper, paper, 0, 0.5, 0.1);
   law.options.rolling_spring = true;
   const SpringEnergies of_hertz = energy_at_opening(law, 0.1, 2e-3, 0.3);
   EXPECT_EQ(of_hertz.tangential, 0);

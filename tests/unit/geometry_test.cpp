@@ -112,7 +112,7 @@ TEST(NearestOnSegment, NineAuxiliaryPointsAgreeWithBruteForceOverEleven) {
       const double dy = s.ay + k * 0.1 * (s.by - s.ay) - y;
       least2 = std::min(least2, dx * dx + dy * dy);
     }
-    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, 9, false);
+    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, 9);
     EXPECT_NEAR(got.distance2, least2, 1e-13);
     EXPECT_NEAR(got.share * 10, std::round(got.share * 10), 1e-14);
     EXPECT_NEAR(x + got.dx, s.ax + got.share * (s.bx - s.ax), 1e-14);
@@ -127,7 +127,7 @@ TEST(NearestOnSegment, ExactPointIsPerpendicularOrAnEnd) {
     const Segment s = random_segment(uniform);
     const double x = uniform(-1.5, 1.5);
     const double y = uniform(-1.5, 1.5);
-    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, 0, false);
+    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, 0);
     const double along =
         got.dx * (s.bx - s.ax) + got.dy * (s.by - s.ay);  // of the way from the point to the nearest one
     if (got.share > 0 && got.share < 1) {
@@ -139,7 +139,7 @@ TEST(NearestOnSegment, ExactPointIsPerpendicularOrAnEnd) {
 }
 
 TEST(NearestOnSegment, ExactShareByHand) {
-  const NearestOnSegment got = nearest_on_segment({1, 2}, {0, 0}, {4, 0}, 0, false);
+  const NearestOnSegment got = nearest_on_segment({1, 2}, {0, 0}, {4, 0}, 0);
   EXPECT_EQ(got.share, 0.25);
   EXPECT_EQ(got.distance2, 4);
   EXPECT_EQ(got.dx, 0);
@@ -154,19 +154,18 @@ TEST(NearestOnSegment, TornHasOnlyItsEnds) {
     const double y = uniform(-1.5, 1.5);
     const double to_a = std::hypot(x - s.ax, y - s.ay);
     const double to_b = std::hypot(x - s.bx, y - s.by);
-    const NearestOnSegment got = nearest_on_segment({x, y}, {s.ax, s.ay}, {s.bx, s.by}, n % 2 == 0 ? 9 : 0, true);
+    const NearestOnSegment got = nearest_end({x, y}, {s.ax, s.ay}, {s.bx, s.by});
     EXPECT_EQ(got.share, to_a < to_b ? 0 : 1);
     EXPECT_NEAR(std::sqrt(got.distance2), std::min(to_a, to_b), 1e-14);
   }
 }
 
 TEST(NearestOnSegment, DegenerateSegmentIsItsPoint) {
-  for (const int auxiliary : {0, 9}) {
-    for (const bool torn : {false, true}) {
-      const NearestOnSegment got = nearest_on_segment({3, 4}, {0, 0}, {0, 0}, auxiliary, torn);
-      EXPECT_EQ(got.distance2, 25);
-      EXPECT_EQ(got.share, 0);
-    }
+  const Vec2 p{3, 4}, end{0, 0};
+  for (const NearestOnSegment& got :
+       {nearest_on_segment(p, end, end, 0), nearest_on_segment(p, end, end, 9), nearest_end(p, end, end)}) {
+    EXPECT_EQ(got.distance2, 25);
+    EXPECT_EQ(got.share, 0);
   }
 }
 

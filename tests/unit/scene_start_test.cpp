@@ -100,7 +100,7 @@ TEST(SceneStart, OneMistakeOfManyPartsIsToldTwoHundredTimesAndCounted) {
   });
   ASSERT_EQ(all.size(), 201u);
   EXPECT_EQ(all[199], "wall[200]: the same as wall[0]: its stiffness would count twice");
-  EXPECT_EQ(all.back(), ": 2800 errors more than the 200 that are told; mend these first");
+  EXPECT_EQ(all.back(), ": 2800 errors more than the 200 that are listed; mend these first");
   const Lines plates = problems([](Scene& s) { s.plate.assign(50, plate(3, 0.1)); });
   EXPECT_NE(plates.back().find(" errors more than"), std::string::npos) << plates.back();
   EXPECT_GE(std::stol(plates.back().substr(2)), 50 * 49 / 2 - 200);

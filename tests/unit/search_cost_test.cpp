@@ -86,7 +86,7 @@ Pairs near_segments(const Parts& parts, const Placement& now, double reach) {
     for (int s = 0; s < parts.border.count(); ++s) {
       const double within = parts.disc.radius[a] + reach;
       const Vec2 i = now.node(parts.border.a[s]), j = now.node(parts.border.b[s]);
-      if (nearest_on_segment(now.disc(a), i, j, 0, false).distance2 < within * within) near.push_back({a, s});
+      if (nearest_on_segment(now.disc(a), i, j, 0).distance2 < within * within) near.push_back({a, s});
     }
   }
   return near;

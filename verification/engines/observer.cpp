@@ -65,7 +65,7 @@ struct Observer::Watch {
     else if (what == "time of tear")
       time_tear(now);
     else if (what == "momentum" || what == "angular momentum")
-      add_up(now, what == "momentum");
+      sum_momentum(now, what == "momentum");
     else if (what == "push")
       value = along(seen, now.push(of(0)));
     else if (what == "greatest push")
@@ -105,7 +105,7 @@ struct Observer::Watch {
     sum += push;
     value = sum / ++count;
   }
-  void add_up(const Moment& now, bool linear) {
+  void sum_momentum(const Moment& now, bool linear) {
     value = 0;
     for (const Json& body : whole["body"]) {
       const std::string name = body["name"];

@@ -1,9 +1,9 @@
 #pragma once
 
-namespace furrow::studies {
+namespace furrow::verification {
 
 struct Point {
   double step = 0;
 };
 
-}  // namespace furrow::studies
+}  // namespace furrow::verification
