@@ -205,6 +205,7 @@ void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& rep
   const std::string html = PageWriter(runs, records, films, besides, evidence, page).html();
   Drawings& files = page.files;
   files["index.html"] = html;
+  files["statements.toml"] = embedded("validation/statements.toml");  // where the paper says what is judged
   files["scenes.md"] = scene_table(runs) + "\nWhat they do to the validity of their laws:\n\n" + validity_table(runs);
   std::vector<std::string> names;
   for (const auto& [name, text] : files) names.push_back(name);
