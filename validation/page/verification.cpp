@@ -182,7 +182,8 @@ std::size_t failed_checks(const Evidence& evidence) { return verdict_of(evidence
 
 Verdict verdict_of(const Evidence& evidence) {
   Verdict verdict;
-  if (!evidence.checks.empty() && unusable_checks(evidence.checks).empty()) {
+  if (!evidence.checks.empty()) verdict.trouble = unusable_checks(evidence.checks);
+  if (!evidence.checks.empty() && verdict.trouble.empty()) {
     std::set<std::string> requirements;
     const ordered_json all = read_sealed(evidence.checks);
     for (const ordered_json& check : all.at("checks")) {
