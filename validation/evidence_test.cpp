@@ -14,6 +14,7 @@
 #include "report/seal.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/faults.h"
+#include "validation/page/verification.h"
 
 namespace furrow::validation {
 namespace {
@@ -127,6 +128,19 @@ TEST(Evidence, EveryWayToSpoilTheChecksIsNamed) {
     write(file, spoilt);
     EXPECT_NE(unusable_checks(file), "") << way.name;
   }
+}
+
+TEST(Evidence, OfAPartOfTheSuiteItIsSaidHowManyChecksThereAreAndWhatIsMissing) {
+  Place place;
+  const fs::path file = place.path / "checks.json";
+  Json part = sound_checks();
+  part["missing"].push_back("A.C left no record");
+  seal(part);
+  write(file, part);
+  EXPECT_EQ(verdict_of({.checks = file}).trouble,
+            file.string() + ": holds 1 checks only; 1 faults of the suite, the first: A.C left no record");
+  write(file, sound_checks());
+  EXPECT_EQ(verdict_of({.checks = file}).trouble, "");
 }
 
 TEST(Evidence, AFaultThatWasNotNoticedOrNotTriedIsNamed) {

@@ -94,9 +94,11 @@ bool reused(const RunOptions& options, const Scene& scene) {
   return why.empty();
 }
 
-// Times of pictures that make a film, those of the scene file among them; as a value of output.frames.
-std::string film_times(const Scene& scene) {
-  constexpr double most = 120, least_apart = 0.01;  // pictures; s
+constexpr double pictures_beside = 90;  // of runs beside others: with 120 all films together would be over 1.5 MB
+
+// Times of pictures that make a film, `most` and those of the scene file among them; as a value of output.frames.
+std::string film_times(const Scene& scene, double most = 120) {
+  constexpr double least_apart = 0.01;  // s
   const int count = static_cast<int>(std::min(most, std::floor(scene.time.end / least_apart)));
   std::vector<double> times = scene.output.frames;
   for (int k = 0; k <= count; ++k) {
@@ -116,7 +118,8 @@ struct Beside {
   std::string scene, name, label;
   std::vector<std::string> set;
   bool same_but_step = false;
-  bool plays = true;  // else it is only drawn
+  bool plays = true;   // else it is only drawn
+  std::string file{};  // under the scenes' directory; empty: the scene's own. Left out if it is not there
 };
 
 const std::vector<Beside>& runs_beside() {
@@ -133,8 +136,18 @@ const std::vector<Beside>& runs_beside() {
       list.push_back({scene, scene + "_half", "", finer({}, "5e-5"), true, false});
       list.push_back({scene, scene + "_fifth", "", finer({}, "2e-5"), true, false});
     }
-    list.push_back({"scenario_2", "scenario_2_spheres", "spheres instead of discs, 0.1 ms", spheres});
-    list.push_back({"scenario_2", "scenario_2_spheres_finer", "spheres, a tenth of the step, 0.01 ms", finer(spheres)});
+    for (const std::string scene : {"scenario_2", "scenario_3"}) {
+      list.push_back({scene, scene + "_spheres", "spheres instead of discs, 0.1 ms", spheres});
+      list.push_back({scene, scene + "_spheres_finer", "spheres, a tenth of the step, 0.01 ms", finer(spheres)});
+    }
+    for (const std::string scene : {"scenario_1", "scenario_2", "scenario_3"})
+      list.push_back({scene,
+                      scene + "_best_reading",
+                      "the best valid reading of the search",
+                      {},
+                      false,
+                      true,
+                      "best_reading/" + scene + ".toml"});
     return list;
   }();
   return all;
@@ -175,9 +188,12 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
     runs.push_back({name, directory, scene.output.frames});
     for (const Beside& beside : runs_beside()) {
       if (!options.players || beside.scene != name) continue;
-      const fs::path place = fs::path(options.directory) / beside.name;
-      RunOptions one{.scene = file, .set = beside.set, .directory = place};
-      if (beside.plays) one.set.push_back(pictures);
+      const fs::path place = fs::path(options.directory) / beside.name,
+                     its = beside.file.empty() ? file : fs::path(options.scenes) / beside.file;
+      if (!fs::exists(its)) continue;
+      RunOptions one{.scene = its, .set = beside.set, .directory = place};
+      if (beside.plays)
+        one.set.push_back("output.frames=" + film_times(requested_scene({.scene = its}), pictures_beside));
       want(options, std::move(one), wanted);
       runs.back().others.push_back({beside.label, place, beside.same_but_step, beside.plays});
     }

@@ -12,6 +12,7 @@
 #include "run_directory.h"
 #include "tests/files.h"
 #include "validation/page/gnuplot.h"
+#include "validation/page/runs_table.h"
 
 namespace furrow {
 using namespace validation;
@@ -129,6 +130,18 @@ TEST(Report, SameFilesGiveTheSamePage) {
   RunDirectory run;
   run.force({{-3, 4}, {-30, 40}});
   EXPECT_EQ(page_of(run), page_of(run));
+}
+
+TEST(Report, ListsOfFilesStayInRunJsonWhichIsLinked) {
+  RunDirectory run;
+  std::string facts = text_of(run.path() / "run.json");
+  facts.insert(facts.rfind('}'), ", \"files\": {\"motion.csv\": \"4711 c0ffee\"}, \"seal\": \"0badcafe\"");
+  run.write("run.json", facts);
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "table_runs"));
+  EXPECT_FALSE(has(page, "c0ffee") || has(page, "0badcafe"));
+  EXPECT_EQ(link_to_record(run.path().parent_path(), run.path()), run.path().filename().string() + "/run.json");
+  EXPECT_EQ(link_to_record(run.path() / "page", run.path()), "") << "outside of what is published";
 }
 
 TEST(Report, NamesAMissingFile) {

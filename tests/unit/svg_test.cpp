@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "validation/page/svg_file.h"
 #include "validation/page/svg_path.h"
 
 namespace furrow::validation {
@@ -106,6 +107,20 @@ TEST(Svg, TitlesOfGnuplotAreDroppedThoseOfTheScriptStay) {
   EXPECT_FALSE(has(svg, "using")) << svg;
   EXPECT_TRUE(has(svg, "<title>rk4</title>")) << svg;
   EXPECT_FALSE(has(svg, "Gnuplot")) << svg;
+}
+
+TEST(Svg, AFileIsTitledByWhatItShowsAndItsPartsOnlyWhereTheySaySomething) {
+  const std::string file = as_file(drawing("<g id=\"gnuplot_plot_1\" ><title>gnuplot_plot_1</title></g><g "
+                                           "id=\"gnuplot_plot_2\" ><title>rk4</title></g>"),
+                                   "speed", "CPU time < 1 s");
+  EXPECT_TRUE(has(file, "<title>CPU time &lt; 1 s</title>")) << file;
+  EXPECT_TRUE(has(file, "<g id=\"speed_plot_2\" ><title>rk4</title></g>")) << file;
+  EXPECT_FALSE(has(file, "nuplot</title>") || has(file, "gnuplot_plot")) << file;
+}
+
+TEST(Svg, AFileHasAMarginForWordsAtTheEdge) {
+  const std::string file = as_file(drawing(""), "speed", "CPU time");
+  EXPECT_TRUE(has(file, "width=\"624\" height=\"316\"\n viewBox=\"-12 -8 624 316\"\n>")) << file;
 }
 
 TEST(Svg, OneThatIsCutShortIsAnError) { EXPECT_THROW(compacted("<svg width=\"1\"><g>", "x", ""), std::runtime_error); }

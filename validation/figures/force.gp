@@ -46,6 +46,7 @@ plot $band using 1:2:3 with filledcurves fs solid 1 noborder lc rgb '#e8dff0' ti
      $levels using 1:3:($2 - $1):(0) with vectors nohead ls 4, \
      $uprights using 1:(bottom):(0):(top - bottom) with vectors nohead ls 4, \
      $levels using (($1 + $2) / 2):($3 + ($4 > 0 ? -0.035 : 0.035) * (top - bottom)):5 with labels center font ',15' tc rgb '#005f46' noenhanced, \
-     $uprights using 1:(top - 0.03 * (top - bottom)):2 with labels left offset 0.7, 0 font ',15' tc rgb '#005f46' noenhanced, \
+     $uprights using ($1 > 0.65 * end ? -1e9 : $1):(top - 0.03 * (top - bottom)):2 with labels left offset 0.7, 0 font ',15' tc rgb '#005f46' noenhanced, \
+     $uprights using ($1 > 0.65 * end ? $1 : -1e9):(top - 0.03 * (top - bottom)):2 with labels right offset -0.7, 0 font ',15' tc rgb '#005f46' noenhanced, \
      $torn using 1:(bottom):(0):(0.04 * (top - bottom)) with vectors nohead lc rgb '#d00000' lw 1.2 title 'links torn', \
      $peaks using 1:2 with points ls 5

@@ -3,7 +3,7 @@
 set terminal svg size 760, 460 font 'sans-serif,15' enhanced
 unset key
 set lmargin at screen 0.12
-set rmargin at screen 0.8
+set rmargin at screen 0.72
 set bmargin at screen 0.15
 set tmargin at screen 0.97
 set border 3 lw 0.8

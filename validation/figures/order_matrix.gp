@@ -1,9 +1,9 @@
 # Observed and predicted orders, methods by kinds of force. Given: width, height (in cells), blocks cells (column row order
 # missed text; order -1: the method cannot carry it), wanted (column row text), columns (column 0 title), rows (0 row name).
-names = 5.2  # cells
-room = 0.7
+names = 5.4  # cells
+room = 1.2
 
-heads = 3.1
+heads = 3.7
 cell_wide = 1080 / (width + names + room)
 cell_tall = 38.0
 set terminal svg size 1080, cell_tall * (height + heads) font 'sans-serif,13' noenhanced

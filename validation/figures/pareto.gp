@@ -2,7 +2,7 @@
 # CPU s, error, name).
 set terminal svg size 900, 480 font 'sans-serif,15' enhanced
 unset key
-set lmargin at screen 0.1
+set lmargin at screen 0.115
 set rmargin at screen 0.98
 set bmargin at screen 0.14
 set tmargin at screen 0.97
@@ -14,7 +14,7 @@ set format y '10^{%L}'
 set yrange [*:2]
 set grid xtics ytics lc rgb '#e2e2e2' lw 0.6 dt 1
 set xlabel 'CPU time [s]' offset 0, 0.3
-set ylabel 'error [-]' offset 0, 0
+set ylabel 'error [-]' offset 1.2, 0
 array tone[8] = [0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xa6761d, 0x56b4e9, 0x000000, 0xe69f00]
 array called[20]
 note(k, name) = (called[k + 1] = name, 1)

@@ -70,7 +70,8 @@ std::string unfit_checks(const ordered_json& all) {
   const ordered_json& checks = list_in(all, "checks");
   if (checks.empty()) return "holds no checks";
   if (const auto missing = list_in(all, "missing"); !missing.empty())
-    return std::to_string(missing.size()) + " faults of the suite, the first: " +
+    return "holds " + std::to_string(checks.size()) + " checks only; " + std::to_string(missing.size()) +
+           " faults of the suite, the first: " +
            (missing[0].is_string() ? missing[0].get<std::string>() : missing[0].dump());
   const auto bad = std::find_if(checks.begin(), checks.end(), [](const ordered_json& c) { return !consistent(c); });
   return bad == checks.end() ? "" : "check " + std::to_string(bad - checks.begin()) + " contradicts itself";

@@ -8,6 +8,7 @@
 #include "output/files.h"
 #include "report/embedded.h"
 #include "validation/page/svg.h"
+#include "validation/page/svg_file.h"
 
 namespace furrow::validation {
 namespace {
@@ -84,7 +85,7 @@ std::string draw(const PlotInput& input, std::string_view script, Drawings& draw
       drawn_by_gnuplot("set encoding utf8\nset datafile separator comma\nset terminal svg\n" + input.text() +
                            std::string(embedded("validation/figures/palettes.gp")) + std::string(script),
                        name);
-  drawings[name + ".svg"] = drawing;
+  drawings[name + ".svg"] = as_file(drawing, name, std::string(description));
   if (std::string data = data_of(input, script); !data.empty()) drawings[name + ".csv"] = std::move(data);
   return compacted(drawing, name, std::string(description));
 }

@@ -13,6 +13,7 @@ struct Page {
 
   // Made of the first words of a text, unlike any other of the page.
   std::string id(const std::string& words);
+  bool has(const std::string& id) const { return taken_.contains(id); }
 
  private:
   std::set<std::string> taken_;

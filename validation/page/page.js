@@ -168,7 +168,7 @@
 
   // A region takes the keyboard only if it scrolls.
   const scrollers = () => {
-    for (const region of all(".scroll")) region.scrollWidth > region.clientWidth + 1 ? region.setAttribute("tabindex", "0") : region.removeAttribute("tabindex");
+    for (const region of all(".scroll, .plot")) region.scrollWidth > region.clientWidth + 1 ? region.setAttribute("tabindex", "0") : region.removeAttribute("tabindex");
   };
   addEventListener("load", scrollers);
   addEventListener("resize", scrollers);

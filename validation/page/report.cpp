@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "methods/method.h"
 #include "output/files.h"
@@ -14,6 +13,7 @@
 #include "validation/page/page.h"
 #include "validation/page/page_parts.h"
 #include "validation/page/report_films.h"
+#include "validation/page/runs_table.h"
 #include "validation/page/scene_section.h"
 #include "validation/page/studies.h"
 #include "validation/page/summary.h"
@@ -24,46 +24,6 @@
 
 namespace furrow::validation {
 namespace {
-
-// run.json of all runs, one row a fact; what all runs share fills one cell.
-std::string how_made(const std::vector<RunRecord>& runs, Page& page) {
-  const std::map<std::string, std::string> labels{{"step", "step [s]"},
-                                                  {"end", "end [s]"},
-                                                  {"ended_at", "ended at [s]"},
-                                                  {"settling_time", "settling time [s]"},
-                                                  {"settling_cpu_seconds", "settling, CPU time [s]"},
-                                                  {"surface", "height of the settled bed [m]"},
-                                                  {"state_size", "numbers in the state"},
-                                                  {"rhs_evaluations", "evaluations of the right-hand side"},
-                                                  {"rejected", "rejected steps"},
-                                                  {"cpu_seconds", "CPU time [s]"},
-                                                  {"wall_seconds", "wall-clock time [s]"},
-                                                  {"greatest_relative_overlap", "greatest overlap, of a radius"},
-                                                  {"greatest_overlap_between", "where that is"},
-                                                  {"plate_meets_lattice", "plate meets lattice [s]"}};
-  if (runs.empty()) return {};
-  const auto fewer = [](const RunRecord& a, const RunRecord& b) { return a.facts.size() < b.facts.size(); };
-  std::string head = head_cell("fact"), rows;
-  for (const RunRecord& run : runs) head += head_cell(escaped(run.name));
-  for (const Fact& fact : std::max_element(runs.begin(), runs.end(), fewer)->facts) {
-    const std::string& key = fact.key;
-    if (key == "title" || key == "warnings") continue;
-    std::vector<std::string> cells;
-    for (const RunRecord& run : runs) cells.push_back(fact_shown(run, key));
-    if (key == "scene") {
-      for (std::string& cell : cells) cell = std::filesystem::path(cell).filename().string();
-    }
-    std::string label = key, row;
-    std::replace(label.begin(), label.end(), '_', ' ');
-    const bool shared = std::count(cells.begin(), cells.end(), cells[0]) == static_cast<long>(cells.size());
-    if (shared) row = "<td colspan=\"" + std::to_string(cells.size()) + "\">" + cells[0] + "</td>";
-    for (std::size_t k = 0; k < cells.size() && !shared; ++k) row += element("td", cells[k]);
-    rows +=
-        element("tr", "<th scope=\"row\">" + (labels.contains(key) ? labels.at(key) : escaped(label)) + "</th>" + row);
-  }
-  return framed({page.id("table runs"), "What run.json says of the runs behind this page.", "The runs", "made plain",
-                 head, rows});
-}
 
 // N, of all steps, where run.json says it.
 double largest_force(const RunRecord& run) {
@@ -123,9 +83,11 @@ std::string line_of(const std::string& id, const std::string& number, const std:
 
 class PageWriter {
  public:
-  PageWriter(const std::vector<RunRecord>& runs, const Films& films, const Besides& besides, const Evidence& evidence,
-             Page& page)
+  // records: links to what is recorded of the runs.
+  PageWriter(const std::vector<RunRecord>& runs, const std::vector<std::string>& records, const Films& films,
+             const Besides& besides, const Evidence& evidence, Page& page)
       : runs_(runs),
+        records_(records),
         films_(films),
         besides_(besides),
         evidence_(evidence),
@@ -202,7 +164,7 @@ class PageWriter {
       text.html += judgements_section(evidence_.judgements, here, page_);
     }
     if (part.id == "made")
-      text.html += ages(studies_, evidence_, page_) + how_made(runs_, page_) +
+      text.html += ages(studies_, evidence_, page_) + runs_table(runs_, records_, page_) +
                    element("p",
                            "The state hash is of every bit of the final state; the determinism tests show that it does "
                            "not depend on compiler, optimisation or vector width.",
@@ -211,6 +173,7 @@ class PageWriter {
   }
 
   const std::vector<RunRecord>& runs_;
+  const std::vector<std::string>& records_;
   const Films& films_;
   const Besides& besides_;
   const Evidence& evidence_;
@@ -226,20 +189,23 @@ std::vector<std::string> page_files() { return {"index.html", "scenes.md"}; }
 void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& reported, const Evidence& evidence,
                   const std::vector<OtherRun>& tools) {
   std::vector<RunRecord> runs;
+  std::vector<std::string> records;
   Films films;
   Besides besides;
   const Shelf shelf(evidence.studies);
   for (const ReportedRun& r : reported) {
     runs.push_back(read_run(r.name, r.directory));
+    records.push_back(link_to_record(directory.path(), r.directory));
     films[r.name] = films_of(r, runs.back());
     besides[r.name] = {player_element(films[r.name]), force_band(shelf, r.name), by_step(r, runs.back())};
     keep_stills(runs.back(), r.stills);
   }
   add_tool_films(tools, films);
   Page page;
-  const std::string html = PageWriter(runs, films, besides, evidence, page).html();
+  const std::string html = PageWriter(runs, records, films, besides, evidence, page).html();
   Drawings& files = page.files;
   files["index.html"] = html;
+  files["statements.toml"] = embedded("validation/statements.toml");  // where the paper says what is judged
   files["scenes.md"] = scene_table(runs) + "\nWhat they do to the validity of their laws:\n\n" + validity_table(runs);
   std::vector<std::string> names;
   for (const auto& [name, text] : files) names.push_back(name);

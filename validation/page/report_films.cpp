@@ -21,7 +21,7 @@ std::vector<Film> films_of(const ReportedRun& reported, const RunRecord& run) {
     if (shown.frames.size() >= least_film)
       films.push_back({id, label, film_of(shown, directory, places_of(run, reported.stills))});
   };
-  add("film_" + run.name, "as on this page", run, reported.directory);
+  add("film_" + run.name, "the literal reading, 0.1 ms, as on this page", run, reported.directory);
   for (std::size_t k = 0; k < reported.others.size() && !films.empty(); ++k) {
     const OtherRun& other = reported.others[k];
     if (!other.plays) continue;

@@ -94,7 +94,9 @@ std::string tear_table(const RunRecord& run, Page& page) {
                               element("td", shown(force_near(run.force, t.mm)), "number"));
   }
   return "<details class=\"unfold\"><summary>All " + std::to_string(run.torn.size()) + " tears, one by one</summary>" +
-         framed({page.id("table " + run.name + " tears"), "Links in the order in which they tear.",
+         framed({page.id("table " + run.name + " tears"),
+                 "Links in the order in which they tear. Rows of nodes count from 0 at the lowest, columns from 0 at "
+                 "the left, as in the scene file; the statements beside the paper count from 1.",
                  run.scene.title + ", tears one by one", "study",
                  head_cell("Tear", true) + head_cell("Plate at [mm]", true) + head_cell("Kind") + head_cell("From") +
                      head_cell("To") + head_cell("Force on the plate [N]", true),

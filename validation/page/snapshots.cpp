@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "validation/page/html.h"
@@ -30,6 +31,7 @@ class Snapshots {
                  with_unit(force.largest, "N") + ".";
     }
     if (!has_weight()) caption += " Nothing in this scene has weight.";
+    if (stress.used) caption += overlap_words();
     for (std::size_t k = 0; k < run_.frames.size(); ++k) panels += panel(k, v, stress, force);
     for (std::size_t k = run_.frames.size(); k < run_.scene.output.frames.size(); ++k) {
       panels += element("p", with_unit(plate_displacement(run_, run_.scene.output.frames[k]), "mm") + ": " + missing,
@@ -57,6 +59,17 @@ class Snapshots {
     const Scene& s = run_.scene;
     return s.model.gravity != 0 &&
            (!s.disc.empty() || !s.packing.empty() || std::any_of(s.lattice.begin(), s.lattice.end(), heavy));
+  }
+
+  // Why discs are drawn across what stops them.
+  std::string overlap_words() const {
+    const Fact* fact = run_.fact("greatest_relative_overlap");
+    const double worst = fact && !fact->texts.empty() ? std::strtod(fact->texts[0].c_str(), nullptr) : 0;
+    if (!(worst > 0.1)) return {};
+    return " Discs cross the floor, the walls and each other since the contact law lets them: the deepest overlap of "
+           "all "
+           "steps is " +
+           with_unit(worst, "radii") + (worst > 1 ? ", more than a radius." : ".");
   }
 
   // All that is in some frame, discs that are pressed into walls among it, and some room above for the arrows.

@@ -36,6 +36,27 @@ std::string cell(const ordered_json& value, bool in_numbers) {
   return element("td", breakable(words), in_numbers && words.find(' ') == std::string::npos ? "number" : "");
 }
 
+// A cell may be an object: "text", "id" for its row to be linked to, "links", of which the first that leads to a part of
+// the page is taken, and "below", in small print, with "file", one beside the page.
+std::string rich_cell(const ordered_json& value, Page& page) {
+  std::string words = breakable(value.at("text").get<std::string>()), link;
+  for (const ordered_json& id : value.value("links", ordered_json::array()))
+    if (link.empty() && page.has(id.get<std::string>())) link = id.get<std::string>();
+  if (!link.empty()) words = "<a href=\"#" + link + "\">" + words + "</a>";
+  if (value.contains("below")) {
+    const std::string below = text(value, "below"), file = value.value("file", "");
+    words += element("small", file.empty() ? below : "<a href=\"" + file + "\">" + below + "</a>");
+  }
+  return element("td", words);
+}
+
+std::string row_of(const std::string& cells, const ordered_json& row, Page& page) {
+  for (const ordered_json& value : row)
+    if (value.is_object() && value.contains("id"))
+      return "<tr id=\"" + page.id(value.at("id").get<std::string>()) + "\">" + cells + "</tr>\n";
+  return element("tr", cells);
+}
+
 constexpr std::size_t wide = 8;    // columns: as many go into the page in small print only
 constexpr std::size_t groups = 3;  // rows that begin alike, on average: from there they fold
 
@@ -60,8 +81,10 @@ std::string table_of(const ordered_json& part, const std::string& under, Page& p
   for (const ordered_json& row : rows) {
     std::string cells;
     for (std::size_t k = 0; k < std::max(columns, row.size()); ++k)
-      cells += k < row.size() ? cell(row[k], is_number(k)) : element("td", "");
-    table.body += element("tr", cells);
+      cells += k >= row.size()      ? element("td", "")
+               : row[k].is_object() ? rich_cell(row[k], page)
+                                    : cell(row[k], is_number(k));
+    table.body += row_of(cells, row, page);
   }
   table.caption = text(part, "caption");
   table.name = escaped(under);

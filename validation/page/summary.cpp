@@ -37,9 +37,10 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
   const std::size_t missing_parts = missing_evidence(evidence).size();
   const bool good =
       v.checks > 0 && v.failed == 0 && v.noticed == v.faults && ended == std::ssize(runs) && missing_parts == 0;
-  std::string words = v.checks == 0 ? "<strong>No checks here.</strong>"
-                                    : "<strong>" + grouped(v.checks) + " checks of " + grouped(v.requirements) +
-                                          " requirements: " + grouped(v.failed) + " failed.</strong>";
+  std::string words =
+      v.checks == 0 ? "<strong>No checks here" + (v.trouble.empty() ? "" : ": " + escaped(v.trouble)) + ".</strong>"
+                    : "<strong>" + grouped(v.checks) + " checks of " + grouped(v.requirements) +
+                          " requirements: " + grouped(v.failed) + " failed.</strong>";
   if (v.faults > 0)
     words += " " + grouped(v.noticed) + " of " + grouped(v.faults) +
              " faults put into the source on purpose were noticed" +

@@ -9,6 +9,7 @@
 
 #include "validation/page/gnuplot.h"
 #include "validation/page/svg_path.h"
+#include "validation/page/svg_file.h"
 #include "validation/page/svg_tree.h"
 
 namespace furrow::validation {
@@ -100,14 +101,12 @@ class Compactor {
                                      [](const SvgNode& child) { return child.name == "title"; });
     const std::string title =
         titled != node.children.end() && !titled->children.empty() ? titled->children[0].text : "";
-    const bool worth = !title.empty() && title.find_first_of("$'") != 0 && title.find(" using ") == std::string::npos &&
-                       title.rfind("gnuplot", 0) != 0 && title.rfind("&#39;", 0) != 0;
     flush();
     const std::size_t before = out_.size();
     walk(node, style);
     release();
     flush();
-    if (worth && out_.size() > before)
+    if (says_something(title) && out_.size() > before)
       out_ = out_.substr(0, before) + "<g><title>" + title + "</title>" + out_.substr(before) + "</g>";
   }
 

@@ -14,6 +14,7 @@
 #include "validation/page/html.h"
 #include "validation/page/mutants.h"
 #include "validation/page/packed.h"
+#include "validation/page/requirements.h"
 #include "validation/page/template.h"
 
 namespace furrow::validation {
@@ -171,7 +172,8 @@ std::string checks_part(const Evidence& evidence, Page& page) {
                           "to their limits first.") +
          "<div id=\"checks_tools\" hidden></div><div id=\"checks_found\" aria-live=\"polite\"></div>\n<div "
          "id=\"checks\">" +
-         suite_rows(suites) + "</div>\n" + packed_element("checks_data", data_of(checks)) + dots(checks, suites, page);
+         suite_rows(suites) + "</div>\n" + requirements_table(checks, page) +
+         packed_element("checks_data", data_of(checks)) + dots(checks, suites, page);
 }
 
 }  // namespace
@@ -180,7 +182,8 @@ std::size_t failed_checks(const Evidence& evidence) { return verdict_of(evidence
 
 Verdict verdict_of(const Evidence& evidence) {
   Verdict verdict;
-  if (!evidence.checks.empty() && unusable_checks(evidence.checks).empty()) {
+  if (!evidence.checks.empty()) verdict.trouble = unusable_checks(evidence.checks);
+  if (!evidence.checks.empty() && verdict.trouble.empty()) {
     std::set<std::string> requirements;
     const ordered_json all = read_sealed(evidence.checks);
     for (const ordered_json& check : all.at("checks")) {

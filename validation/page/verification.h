@@ -11,6 +11,7 @@ std::size_t failed_checks(const Evidence& evidence);
 
 // What the checks and the fault study come to. Zeros: there are none that can be shown.
 struct Verdict {
+  std::string trouble;  // why the checks that were given do not count; empty if they do, or none were given
   std::size_t checks = 0, requirements = 0, failed = 0, faults = 0, noticed = 0, untried = 0;
 };
 Verdict verdict_of(const Evidence& evidence);

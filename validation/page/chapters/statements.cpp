@@ -87,7 +87,7 @@ void judge(Report& report, const Groups& groups, const Reasons& reasons) {
       }
       const auto [low, high] = sample.median_interval();
       rows.push_back({scene == "scenario_1" ? "1" : scene.substr(9) + ", " + group.substr(group.find(' ') + 1) + "s",
-                      s.quantity, verdict, said(s), ours(s, sample), runs(sample),
+                      statement_cell(s, group), verdict, paper_cell(s, said(s)), ours(s, sample), runs(sample),
                       interval(low, high, sample.numbers.size()),
                       interval(sample.quantile(0.05), sample.quantile(0.95), sample.numbers.size()),
                       reasons.why(s, sample, group, verdict)});

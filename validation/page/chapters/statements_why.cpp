@@ -44,6 +44,18 @@ std::string decided(const Statement& s, const Sample& sample) {
          (sample.numbers.size() >= 20 ? ", or to lie among the packings" : "");
 }
 
+// Figures of the scene that show it, the likeliest first, or the scene as a whole.
+Json shown_in_figures(const Statement& s) {
+  Json links = Json::array();
+  if (s.observable.find("tear") != std::string::npos || s.observable.find("torn") != std::string::npos)
+    links.push_back("figure_" + s.scene + "_tears");
+  if (s.observable.find("stress") != std::string::npos || s.observable.find("moved") != std::string::npos)
+    links.push_back("figure_" + s.scene + "_snapshots");
+  if (s.unit == "N" || s.observable.find("force") != std::string::npos) links.push_back("figure_" + s.scene + "_force");
+  links.push_back(s.scene);
+  return links;
+}
+
 void join(std::string& list, const std::string& words) {
   if (!words.empty()) list += (list.empty() ? "" : "; ") + words;
 }
@@ -97,6 +109,16 @@ std::string Reasons::why(const Statement& statement, const Sample& sample, const
   join(words, step(statement, group));
   if (group.ends_with("disc")) join(words, other_reading(statement));
   return words;
+}
+
+Json statement_cell(const Statement& statement, const std::string& group) {
+  return {{"text", statement.quantity},
+          {"id", "statement " + statement.id + (group.ends_with("sphere") ? " spheres" : "")},
+          {"links", shown_in_figures(statement)}};
+}
+
+Json paper_cell(const Statement& statement, const std::string& said) {
+  return {{"text", said}, {"below", statement.where}, {"file", "statements.toml"}};
 }
 
 }  // namespace furrow::validation

@@ -27,4 +27,8 @@ class Reasons {
   std::optional<ReadingsFound> found_;
 };
 
+// Cells of a table: the statement, with an id to link to and a link to what shows it; what the paper says, and where.
+Json statement_cell(const Statement& statement, const std::string& group);
+Json paper_cell(const Statement& statement, const std::string& said);
+
 }  // namespace furrow::validation
