@@ -88,19 +88,6 @@ bool share_a_node(const BorderArrays& border, int one, int other) {
 
 }  // namespace
 
-bool crosses_border(const System& system, const Step& s, const Survey::Near& near) {
-  const BorderArrays& border = system.parts().border;
-  const Path path = path_of_body(system, s, near.contact.a);
-  const auto crosses = [&](int segment) {
-    const bool there =
-        segment >= 0 && segment < border.count() && border.lattice[segment] == border.lattice[near.segment];
-    return there && crosses_segment(system, s, path, segment);
-  };
-  if (!system.parts().new_faces) return crosses(near.segment - 1) || crosses(near.segment) || crosses(near.segment + 1);
-  return std::any_of(system.border().begin(), system.border().end(),
-                     [&](int segment) { return share_a_node(border, segment, near.segment) && crosses(segment); });
-}
-
 namespace {
 
 struct StandingSegment {

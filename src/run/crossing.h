@@ -4,7 +4,6 @@
 #include <string>
 
 #include "run/path.h"
-#include "system/survey.h"
 
 namespace furrow {
 
@@ -20,9 +19,6 @@ bool crosses_plate(const System& system, const Step& step, const ContactId& cont
 
 // Whether a point crossed the border segment while whole.
 bool crosses_segment(const System& system, const Step& s, const Path& point, int segment);
-
-// Whether disc `near.contact.a` crossed the border segment near.segment or one next to it, while whole.
-bool crosses_border(const System& system, const Step& step, const Survey::Near& near);
 
 // Pairs of border segments that cross each other, of two lattices or of one, and of what the first are.
 struct CrossingBorders {

@@ -11,10 +11,12 @@
 
 namespace furrow {
 namespace {
-constexpr long balance_every = 200, closely_every = 25;  // steps, at the energy
-constexpr long borders_every = 50;                       // steps, at what crosses
-constexpr double renew_beyond = 1.1;                     // times what was there when it was looked at last
-constexpr double judge_beyond = 1.25;                    // times the rate that the step was judged by
+constexpr long most_between = 200, closely_every = 25;  // steps, from one look at the energy to the next
+constexpr long early_until = 200;                       // steps
+constexpr int bodies_for_a_step = 4;                    // by so many more, one step more
+constexpr long borders_every = 50;                      // steps, at what crosses
+constexpr double renew_beyond = 1.1;                    // times what was there when it was looked at last
+constexpr double judge_beyond = 1.25;                   // times the rate that the step was judged by
 struct Rule {
   WatchKind kind;
   const char* name;
@@ -38,32 +40,6 @@ constexpr std::array<Rule, watch_kinds> rules{{
      " times the largest stable one of an impact that may come"},
 }};
 
-std::optional<double> allowed(const Scene& scene, WatchKind kind) {
-  if (!scene.allow) return {};
-  const Allow& a = *scene.allow;
-  const auto any = [](bool is) { return is ? std::optional(infinity) : std::nullopt; };
-  switch (kind) {
-    case WatchKind::energy_made:
-      return a.energy_made;
-    case WatchKind::energy_lost:
-      return a.energy_lost;
-    case WatchKind::overlap:
-      return a.overlap;
-    case WatchKind::behind_walls:
-      return any(a.behind_walls);
-    case WatchKind::through_plates:
-      return any(a.through_plates);
-    case WatchKind::through_lattices:
-      return any(a.through_lattices);
-    case WatchKind::crossing_lattices:
-      return any(a.crossing_lattices.value_or(false));
-    case WatchKind::step:
-      return a.step;
-    default:
-      return {};
-  }
-}
-
 std::string allowance(const std::string& method, const StiffPart& part, double limit) {
   Sentence text;
   text.precision(3);
@@ -84,7 +60,7 @@ struct Validity::Stiffest {
 Validity::~Validity() { system_.watch(false); }
 
 Validity::Validity(System& system, const Scene& scene, Warn warn)
-    : system_(system), scene_(scene), warn_(std::move(warn)), stiffest_(std::make_unique<Stiffest>()) {
+    : system_(system), scene_(scene), warn_(std::move(warn)), border_(system), stiffest_(std::make_unique<Stiffest>()) {
   system_.watch(true);
   system_.survey() = {};
   system_.survey().fast = 0.9 * least_passing_speed(system.parts());
@@ -93,12 +69,13 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
     w.name = rule.name;
     w.warns_above = rule.warns_above;
     w.ends_above = rule.ends_above;
-    w.allowed = furrow::allowed(scene, rule.kind);
+    w.allowed = allowed_by(scene, rule.kind);
   }
   for (const WatchKind kind : {WatchKind::energy_made, WatchKind::energy_lost})
     of(kind).watched = system.keeps_ledger();
   step_ = make_method(scene.time.method)->info().controlled ? scene.time.max_step : scene.time.step;
   const Parts& parts = system.parts();
+  balance_every_ = std::clamp<long>(parts.bodies() / bodies_for_a_step, 1, most_between);
   extremes_.plate.resize(parts.plate.size());
   for (const PlatePart& p : parts.plate) plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
   for (const double spacing : parts.node.spacing) least_spacing_ = std::min(least_spacing_, spacing);
@@ -115,7 +92,7 @@ void Validity::history(HistoryVisitor& visit) {
   visit("most lost", most_lost_);
   visit("plate power", plate_power_);
   visit("since booked", since_booked_);
-  visit("begun", begun_);
+  visit("balanced steps", balanced_steps_);
   visit("since crossed", since_crossed_);
   visit("way since crossed", way_since_crossed_);
   visit("passed", passed_);
@@ -161,7 +138,7 @@ void Validity::see(const Step& step, const JumpReport& report) {
   look_at_speed(step);
   look_at_plates(step.t, survey);
   look_at_contacts(step.t, survey);
-  if (!survey.near.empty() && step.h > 0) look_for_crossings(step, survey);
+  if (step.h > 0) look_for_crossings(step, report);
   look_at_borders(step);
   look_at_step(step, survey);
   look_at_arrival(step.t);
@@ -171,12 +148,15 @@ void Validity::see(const Step& step, const JumpReport& report) {
 
 void Validity::look_at_energy(const Step& step) {
   if (!system_.keeps_ledger()) return;
-  if (started_) ++since_booked_;
+  if (!started_) return book(step.t, observe(system_, step.t, step.after));
+  ++since_booked_;
+  ++balanced_steps_;
   const bool warned =
       std::max(of(WatchKind::energy_made).verdict(), of(WatchKind::energy_lost).verdict()) >= Verdict::warned;
-  const bool due = !started_ || since_booked_ >= (warned ? closely_every : balance_every);
-  if (due) return book(step.t, observe(system_, step.t, step.after));
-  if (!begun_ && since_booked_ % closely_every == 0) judge_energy(step.t, observe(system_, step.t, step.after), true);
+  const bool early = balanced_steps_ < early_until;
+  if (since_booked_ < (early || warned ? std::min(closely_every, balance_every_) : balance_every_)) return;
+  since_booked_ = 0;
+  judge_energy(step.t, observe(system_, step.t, step.after), early);
 }
 
 void Validity::look_at_speed(const Step& step) {
@@ -207,13 +187,14 @@ void Validity::look_at_contacts(double t, const Survey& survey) {
   look(WatchKind::impact, t, seen.impact, [&] { return contact_name(system_.parts(), seen.hardest); });
 }
 
-void Validity::look_for_crossings(const Step& step, const Survey& survey) {
-  for (const Survey::Near& near : survey.near) {
-    const bool border = near.contact.kind == disc_lattice;
-    if (!(border ? crosses_border(system_, step, near) : crosses_plate(system_, step, near.contact))) continue;
-    const WatchKind kind = border ? WatchKind::through_lattices : WatchKind::through_plates;
-    look(kind, step.t, of(kind).worst + 1, [&] { return contact_name(system_.parts(), near.contact); });
-  }
+void Validity::look_for_crossings(const Step& step, const JumpReport& report) {
+  const auto crossed = [&](WatchKind kind, const ContactId& contact) {
+    look(kind, step.t, of(kind).worst + 1, [&] { return contact_name(system_.parts(), contact); });
+  };
+  for (const ContactId& near : report.survey->near)
+    if (crosses_plate(system_, step, near)) crossed(WatchKind::through_plates, near);
+  for (const ContactId& disc : border_.crossings(step, !report.torn.empty()))
+    crossed(WatchKind::through_lattices, disc);
 }
 
 void Validity::look_at_borders(const Step& step) {
@@ -273,7 +254,6 @@ void Validity::look_at_arrival(double t) {
 
 void Validity::book(double t, const Observation& seen) {
   since_booked_ = 0;
-  begun_ = started_;
   judge_energy(t, seen, false);
 }
 
@@ -286,8 +266,9 @@ void Validity::judge_energy(double t, const Observation& seen, bool early) {
   const double by_law = e.live() - supplied_;
   const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
   if (!(supplied_ > 0)) return;
+  const double rough = early ? 2 * (supplied_ - start_.live()) / static_cast<double>(balanced_steps_) : 0;
   const auto judge = [&](WatchKind kind, double energy, const char* where) {
-    const double share = energy / supplied_;
+    const double share = (energy - rough) / supplied_;
     if (energy > nothing && (!early || share > of(kind).ends_above)) look(kind, t, share, [&] { return where; });
   };
   const double by_method = std::max(residual, 0.0) + taken_back;

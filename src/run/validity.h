@@ -19,8 +19,10 @@
 // Overlap: at 0.1 a contact is 0.3 radii wide, too wide for Hertz's half-space; at 1 a centre reaches the other's
 // surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
 // means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
-// Energy is looked at every 200 steps and at the end, since what was made stays in the residual; every 25 once there was
-// a warning, and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, and whenever
+// Energy is looked at at each step of up to 7 bodies and at every n-th of 4 n, no fewer than every 200th, and at the end:
+// what was made for good stays in the residual, and of what comes and goes within a contact one of n pairs has an n-th. So
+// in a large scene the worst within a contact may lie between two looks. Every 25 steps at least once there was a warning,
+// and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, and whenever
 // something may have moved by a quarter of a spacing since; lattices that pass each other at each step; the step when
 // contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by the
 // fastest that there was; all else at each step.
@@ -32,7 +34,7 @@
 #include <optional>
 #include <string>
 
-#include "run/crossing.h"
+#include "run/border_watch.h"
 #include "run/observe.h"
 
 namespace furrow {
@@ -66,6 +68,9 @@ struct Watched {
   Verdict verdict() const;
   void history(HistoryVisitor& visit);
 };
+
+// Up to where a scene allows it; none if it says nothing of it.
+std::optional<double> allowed_by(const Scene& scene, WatchKind kind);
 
 // The greatest of all steps.
 struct RunExtremes {
@@ -113,15 +118,16 @@ class Validity {
   // Warns once, and fails the run once.
   void say(WatchKind kind, Verdict verdict);
   void look_at_energy(const Step& step);
-  // Early, what a first-order method is off in its n-th step, a share of 1/n, is not yet worth a warning. What plates do
+  // Early, what a first-order method is off in its n-th step, 1/n of what came since the start, ends no run (twice that is
+  // taken off), and is not yet worth a warning. What plates do
   // in the step in which they touch the method cannot know yet.
   void judge_energy(double t, const Observation& seen, bool early);
-  // Sets how far the survey looks: a disc that is closer to a border may reach it in a step, or in the next one at twice
+  // Sets how far the survey looks: a centre that is closer to a plate may reach it in a step, or in the next one at twice
   // the speed.
   void look_at_speed(const Step& step);
   void look_at_contacts(double t, const Survey& survey);
   void look_at_plates(double t, const Survey& survey);
-  void look_for_crossings(const Step& step, const Survey& survey);
+  void look_for_crossings(const Step& step, const JumpReport& report);
   void look_at_borders(const Step& step);
   // Again when contacts have come or deepened: the spectrum changes with how many there are and how deep.
   void look_at_step(const Step& step, const Survey& survey);
@@ -138,11 +144,13 @@ class Validity {
   double plate_speed_ = 0;  // m/s, of the fastest
   bool started_ = false;
   Energies start_;
-  double supplied_ = 0;                                // J, the most so far
-  double most_lost_ = 0;                               // J, heat and the like, so far
-  double plate_power_ = 0;                             // W, of the last step
-  long since_booked_ = 0;                              // steps
-  bool begun_ = false;                                 // the energy was booked after the start
+  double supplied_ = 0;      // J, the most so far
+  double most_lost_ = 0;     // J, heat and the like, so far
+  double plate_power_ = 0;   // W, of the last step
+  long since_booked_ = 0;    // steps
+  long balanced_steps_ = 0;  // since the start
+  long balance_every_ = 1;   // steps
+  BorderWatch border_;
   long since_crossed_ = 0;                             // steps
   double way_since_crossed_ = 0;                       // m, of the fastest
   double least_spacing_ = infinity;                    // m, of a lattice

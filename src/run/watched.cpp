@@ -18,6 +18,32 @@ Verdict Watched::verdict() const {
   return worst > std::max(ends_above, allowed.value_or(0)) ? Verdict::broken : Verdict::warned;
 }
 
+std::optional<double> allowed_by(const Scene& scene, WatchKind kind) {
+  if (!scene.allow) return {};
+  const Allow& a = *scene.allow;
+  const auto any = [](bool is) { return is ? std::optional(infinity) : std::nullopt; };
+  switch (kind) {
+    case WatchKind::energy_made:
+      return a.energy_made;
+    case WatchKind::energy_lost:
+      return a.energy_lost;
+    case WatchKind::overlap:
+      return a.overlap;
+    case WatchKind::behind_walls:
+      return any(a.behind_walls);
+    case WatchKind::through_plates:
+      return any(a.through_plates);
+    case WatchKind::through_lattices:
+      return any(a.through_lattices);
+    case WatchKind::crossing_lattices:
+      return any(a.crossing_lattices.value_or(false));
+    case WatchKind::step:
+      return a.step;
+    default:
+      return {};
+  }
+}
+
 void Watched::history(HistoryVisitor& visit) {
   visit("worst", worst);
   visit("time", time);

@@ -95,6 +95,16 @@ class StandingLattice {
     return false;
   }
 
+  // m
+  double longest_segment() const {
+    double longest = 0;
+    for (std::size_t k = 0; k < segments() && border_.size() > 1; ++k) {
+      const Vec2 along = border_[(k + 1) % border_.size()] - border_[k];
+      longest = std::max(longest, std::sqrt(dot(along, along)));
+    }
+    return longest;
+  }
+
   std::size_t segments() const { return encloses() ? border_.size() : std::max<std::size_t>(1, border_.size() - 1); }
 
  private:

@@ -59,14 +59,18 @@ std::string fits_between(const Plate& p, const Lattice& l, double end, const std
 
 }  // namespace
 
-double half_gap(const Lattice& l) { return l.auxiliary_points == 0 ? 0 : l.spacing / (l.auxiliary_points + 1) / 2; }
+double half_gap(const Lattice& l) {
+  return l.auxiliary_points == 0 ? 0 : StandingLattice(l).longest_segment() / (l.auxiliary_points + 1) / 2;
+}
 
 std::string way_through(const Lattice& l, double radius) {
-  if (l.rows * l.columns < 2 || !(radius < (1 - touch) * half_gap(l))) return {};
+  if (l.rows * l.columns < 2) return {};
+  const double half = half_gap(l), longest = 2 * half * (l.auxiliary_points + 1);
+  if (!(radius < (1 - touch) * half)) return {};
   constexpr double most = 1000;  // points that a segment may have
-  const double needed = std::ceil((1 - touch) * l.spacing / (2 * radius)) - 1;
+  const double needed = std::ceil((1 - touch) * longest / (2 * radius)) - 1;
   return "discs of radius " + rounded(radius, 3) + " m pass between the points of its border, which are " +
-         rounded(2 * half_gap(l), 3) + " m apart: take " +
+         (longest > (1 + touch) * l.spacing ? "up to " : "") + rounded(2 * half, 3) + " m apart: take " +
          (needed <= most ? "at least " + rounded(needed, 4) + " points, or " : "") + "0, the whole border";
 }
 

@@ -7,7 +7,7 @@
 
 namespace furrow {
 
-double half_gap(const Lattice& l);  // m, between two points; 0 where the whole border is touched
+double half_gap(const Lattice& l);  // m, between two points at the start; 0 where the whole border is touched
 
 // What to do where discs of this radius pass between the points; empty if they do not.
 std::string way_through(const Lattice& l, double radius);

@@ -10,15 +10,6 @@ namespace {
 
 double narrow(const PlatePart& p) { return std::min(p.width, p.height); }
 
-// Between two auxiliary points a centre passes at some distance from either.
-bool near_border(const Parts& parts, const Contact& c, double reach) {
-  if (c.id.kind != disc_lattice) return false;
-  const double spacing = parts.node.spacing[parts.border.a[c.segment]];
-  const int auxiliary = parts.lattice[c.id.b].auxiliary_points;
-  const double between = auxiliary > 0 ? spacing / (auxiliary + 1) : 0;
-  return parts.disc.radius[c.id.a] - c.touch.overlap < reach + between;
-}
-
 // m: what an overlap is compared with.
 double size_of(const Parts& parts, const ContactId& pair) {
   if (!of_disc(pair.kind)) return parts.node.contact_radius[pair.a];
@@ -48,9 +39,8 @@ void Survey::see(const Parts& parts, const Contact& c, ContactExtremes& sum) {
   if (of_plate(c.id.kind)) {
     plate_fx[c.id.b] -= c.fx;
     plate_fy[c.id.b] -= c.fy;
-    if (radius - c.touch.overlap < reach) near.push_back({c.id, -1});
+    if (radius - c.touch.overlap < reach) near.push_back(c.id);
   }
-  if (near_border(parts, c, reach)) near.push_back({c.id, c.segment});
 }
 
 void Survey::see_impact(const Parts& parts, const Contact& c, ContactExtremes& sum) const {

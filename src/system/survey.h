@@ -24,14 +24,10 @@ struct Survey {
   // Set by the watch: contacts below these need not be examined one by one.
   double known_overlap = 0;  // -
   double fast = infinity;    // m/s, an approach
-  double reach = 0;          // m, from a centre to a plate or a border of a lattice
+  double reach = 0;          // m, from a centre to a plate
 
   ContactExtremes seen{};
-  struct Near {
-    ContactId contact;
-    int segment;  // of the border, for a lattice
-  };
-  std::vector<Near> near{};                    // centres inside or closer to a plate or border than `reach`
+  std::vector<ContactId> near{};               // centres inside a plate or closer to it than `reach`
   std::vector<double> plate_fx{}, plate_fy{};  // N, on each plate
 
   // At each jump: forgets the last one, then sees contact after contact, and counts them in `sum`.

@@ -130,6 +130,23 @@ TEST(SceneGaps, DiscsThatPassBetweenThePointsOfABorderAreSaidWithTheNumberThatHo
   EXPECT_EQ(with(0.0024, 0), Lines{});
 }
 
+// The upper row is pushed up by 20 mm, so that the sides are 30 mm long and their points 15 mm apart.
+TEST(SceneGaps, OfAStretchedLatticeTheLongestSegmentCounts) {
+  const Lines said = warnings([](Scene& s) {
+    s.disc[0].radius = 0.004, s.lattice[0].auxiliary_points = 1;
+    for (int column = 0; column < s.lattice[0].columns; ++column) {
+      NodeSetting up;
+      up.row = s.lattice[0].rows - 1;
+      up.column = column;
+      up.displacement = {0, 0.02};
+      s.lattice[0].node.push_back(up);
+    }
+  });
+  EXPECT_EQ(said,
+            Lines{"lattice[0].auxiliary_points: discs of radius 0.004 m pass between the points of its border, which "
+                  "are up to 0.015 m apart: take at least 3 points, or 0, the whole border"});
+}
+
 TEST(SceneGaps, OneNodeHasNoBorder) {
   EXPECT_EQ(warnings([](Scene& s) {
               s.disc[0].radius = 1e-3, s.lattice[0].rows = s.lattice[0].columns = 1, s.lattice[0].fixed_rows = {};

@@ -1,0 +1,40 @@
+// Which centres cross the border of a lattice, whether or not they touch it: between the points that discs touch a small
+// one passes without a force.
+//
+// Pairs of a disc and a segment that are close are collected, and asked at each step whether the one crossed the other
+// while whole. In a step that moves no body further than m a pair comes closer by no more than 2 m: pairs are collected
+// again before these ways add up to the reach that they were collected with, so none is missed.
+#pragma once
+
+#include <vector>
+
+#include "run/step.h"
+
+namespace furrow {
+
+class BorderWatch {
+ public:
+  explicit BorderWatch(const System& system);
+
+  // Of each disc that crossed a border in the step, once a lattice, ascending. `border_is_new`: since the step before
+  // other segments are touched than before.
+  const std::vector<ContactId>& crossings(const Step& step, bool border_is_new);
+
+ private:
+  struct Pair {
+    int disc, segment;
+    auto operator<=>(const Pair&) const = default;
+  };
+  void collect(double t, const State& y);
+
+  const System& system_;
+  double drive_speed_ = 0;  // m/s, of the fastest driven nodes
+  double least_reach_ = 0;  // m, an eighth of the smallest radius
+  double reach_ = 0;        // m, of the pairs
+  double way_ = 0;          // m, by which pairs may have come closer since
+  bool collected_ = false;
+  std::vector<Pair> near_;
+  std::vector<ContactId> crossed_;
+};
+
+}  // namespace furrow
