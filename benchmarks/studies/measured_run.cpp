@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/machine.h"
+#include "output/schedule.h"
 #include "run/run.h"
 
 namespace furrow::benchmarks {
@@ -23,15 +24,18 @@ std::pair<double, double> force_on_plates(const System& system, double t, const 
 
 class Sampler {
  public:
-  Sampler(const Case& scene, Outcome& outcome) : case_(scene), outcome_(outcome) {
+  // The start is no sample: all that is compared has been run.
+  Sampler(const Case& scene, const MethodInfo& method, double step, Outcome& outcome)
+      : case_(scene), due_(method, step, scene.span.interval, scene.span.start), outcome_(outcome) {
+    due_.restore(1);
     outcome_.reach.resize(static_cast<std::size_t>(scene.system.parts().bodies()));
   }
 
-  double next() const { return case_.span.start + case_.span.interval * (taken_ + 1); }
+  double stop(double t) const { return due_.stop(t, case_.span.end()); }
 
   void see(const System& system, double t, const State& y) {
-    if (t < next() - 1e-6 * case_.span.interval) return;
-    ++taken_;
+    if (!due_.at(t)) return;
+    due_.take(t);
     if (!system.parts().plate.empty()) {
       const auto [x, height] = force_on_plates(system, t, y);
       outcome_.force.insert(outcome_.force.end(), {x, height});
@@ -45,8 +49,8 @@ class Sampler {
 
  private:
   const Case& case_;
+  Due due_;
   Outcome& outcome_;
-  int taken_ = 0;
 };
 
 // The clock is looked at now and then: that takes as long as an evaluation of a small scene.
@@ -84,11 +88,11 @@ Outcome run_case(const Case& scene, const Effort& effort) {
   const auto method = make_method(
       effort.method,
       {.relative = effort.tolerance, .absolute = 0.01 * effort.tolerance, .first_step = std::min(1e-4, effort.step)});
-  Sampler sampler(scene, outcome);
+  Sampler sampler(scene, method->info(), effort.step, outcome);
   const RunPlan plan{.start = scene.span.start,
                      .end = scene.span.end(),
                      .step = effort.step,
-                     .stop = [&sampler](double) { return sampler.next(); },
+                     .stop = [&sampler](double t) { return sampler.stop(t); },
                      .locate = effort.locate};
   const double begun = cpu_seconds();
   Clock clock{begun};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "methods/method.h"
+#include "output/schedule.h"
 #include "run/observe.h"
 #include "run/run.h"
 
@@ -22,16 +23,16 @@ OwnRun own_run(Prepared& prepared, const std::string& method_name, double step, 
   const double interval = deck_run(prepared).interval();
   own.end = prepared.y;
   RunPlan plan{.start = 0, .end = until, .step = step};
-  long row = 0;
-  plan.stop = [&](double t) { return interval * std::floor(t / interval + 1 + 1e-9); };
+  Due due(method->info(), step, interval);
+  plan.stop = [&](double t) { return due.stop(t, until); };
   const RunEnd ended = run(system, *method, own.end, plan, [&](double t, const State& y, const JumpReport& jump) {
     own.tears.insert(own.tears.end(), jump.torn.begin(), jump.torn.end());
-    if (t < static_cast<double>(row) * interval - 0.5 * step) return true;
+    if (!due.at(t)) return true;
     const Observation seen = observe(system, t, y);
-    own.forces.push_back({static_cast<double>(row)});
+    own.forces.push_back({static_cast<double>(due.taken())});
     for (const auto& list : {seen.plate, seen.wall})
       for (const Force& f : list) own.forces.back().insert(own.forces.back().end(), {f.x, f.y});
-    ++row;
+    due.take(t);
     return true;
   });
   if (ended.ending != Ending::finished) throw Divergence("furrow's own run: " + ended.reason);

@@ -179,6 +179,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
     return ++steps % 64 != 0 || request.progress("running", t, time.end);
   });
   if (end.ending == Ending::stopped && !end.cut && !end_in_sight) save_now();
+  series.end(system, end.time, y);
   series.close(end.ending != Ending::stopped);
   write_state(request.directory, system, end.time, y);
   validity.conclude();

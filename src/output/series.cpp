@@ -41,6 +41,7 @@ void SeriesMemory::history(HistoryVisitor& visit) {
   events.history(visit, "events.csv");
   frames.history(visit);
   visit("rows", rows);
+  visit("last", last);
   start.history(visit);
 }
 
@@ -57,7 +58,7 @@ void SeriesMemory::require(const std::filesystem::path& directory, const Scene& 
 
 Series::Series(const std::filesystem::path& directory, const Scene& scene, const SeriesMemory* kept)
     : scene_(scene),
-      slack_(make_method(scene.time.method)->info().controlled ? 0 : 0.5 * scene.time.step),
+      due_(make_method(scene.time.method)->info(), scene.time.step, scene.output.interval),
       plates_(labels(scene.plate)),
       walls_(labels(scene.wall)),
       lattices_(labels(scene.lattice)),
@@ -83,7 +84,8 @@ Series::Series(const std::filesystem::path& directory, const Scene& scene, const
         directory / "drive_force.csv", "t [s],lattice,drive,displacement [m],Fx [N],Fy [N],F [N]",
         kept ? &kept->drive : nullptr)));
   if (!kept) return;
-  rows_ = kept->rows;
+  due_.restore(kept->rows);
+  last_ = kept->last;
   start_ = kept->start;
   pictures_ = kept->frames.count;
 }
@@ -96,27 +98,32 @@ SeriesMemory Series::memory() {
           motion_.mark(),
           events_.mark(),
           frames_.memory(),
-          rows_,
+          due_.taken(),
+          last_,
           start_};
 }
 
 void Series::see(const System& system, double t, const State& y, const JumpReport& report) {
   for (const Tear& tear : report.torn) add_tear(system, tear);
-  if (t >= static_cast<double>(rows_) * scene_.output.interval - slack_) {
+  if (due_.at(t)) {
     add_rows(system, t, y);
-    rows_ = std::max(rows_, static_cast<long>(std::floor((t + slack_) / scene_.output.interval))) + 1;
+    due_.take(t);
   }
   const std::vector<double>& times = scene_.output.frames;
-  while (pictures_ < times.size() && t >= times[pictures_] - slack_) {
+  while (pictures_ < times.size() && t >= times[pictures_] - due_.slack()) {
     frames_.add(system, t, displacement_of_first(system, t), y);
     ++pictures_;
   }
 }
 
 double Series::next_stop(double t) const {
-  double next = std::min(scene_.time.end, static_cast<double>(rows_) * scene_.output.interval);
+  double next = std::min(scene_.time.end, due_.next());
   if (pictures_ < scene_.output.frames.size()) next = std::min(next, scene_.output.frames[pictures_]);
   return next > t ? next : scene_.time.end;
+}
+
+void Series::end(const System& system, double t, const State& y) {
+  if (t != last_) add_rows(system, t, y);
 }
 
 void Series::close(bool complete) {
@@ -143,7 +150,8 @@ void Series::add_drives(const System& system, double t, const std::vector<Force>
 
 void Series::add_rows(const System& system, double t, const State& y) {
   const Observation seen = observe(system, t, y);
-  if (rows_ == 0) start_ = seen.energy;
+  if (last_ < 0) start_ = seen.energy;
+  last_ = t;
   for (std::size_t k = 0; k < seen.plate.size(); ++k) {
     const Force& f = seen.plate[k];
     force_.row(t, plates_[k], displacement(system.parts().plate[k], t), f.x, f.y, std::hypot(f.x, f.y));

@@ -11,6 +11,7 @@
 
 #include "output/files.h"
 #include "output/frames.h"
+#include "output/schedule.h"
 #include "run/observe.h"
 #include "scene/scene.h"
 
@@ -24,6 +25,7 @@ struct SeriesMemory {
   FileMark force, wall, drive, energy, motion, events;
   Frames::Memory frames;
   long rows = 0;
+  double last = -1;  // s, of the last row; -1: none yet
   Energies start;
   void history(HistoryVisitor& visit);
 
@@ -40,12 +42,15 @@ class Series {
   // All rows so far are in the files.
   SeriesMemory memory();
 
-  // Rows and frames that are due; a fixed step takes the accepted time nearest to what was asked for, a method that
-  // chooses its steps has ended one there.
+  // Rows and frames that are due.
   void see(const System& system, double t, const State& y, const JumpReport& report);
 
   // The next time at which something is due, for methods that choose their steps.
   double next_stop(double t) const;
+
+  // The last state of a run is a row, also where none is due: t in s, y the last good state of one that diverged. After
+  // the last memory(), which a run that goes on from there must not find it in.
+  void end(const System& system, double t, const State& y);
 
   // Puts all rows into the files, as mark() of each promises.
   void flush();
@@ -60,14 +65,14 @@ class Series {
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;
-  double flushed_ = 0;                                  // s, of the clock
-  const double slack_;                                  // s
+  double flushed_ = 0;  // s, of the clock
+  Due due_;
+  double last_ = -1;                                    // s, of the last row
   std::vector<std::string> plates_, walls_, lattices_;  // what rows call them
   OutputFile force_, wall_force_, energy_, motion_, events_;
   std::unique_ptr<OutputFile> drive_;  // of a scene that drives nodes
   Frames frames_;
   Energies start_;
-  long rows_ = 0;
   std::size_t pictures_ = 0;
 };
 

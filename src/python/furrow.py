@@ -399,7 +399,7 @@ class Run:
         """The rows are all that run.json, scene.toml and the picture beside say there are."""
         due, parts = self._due(name)
         if due is not None:
-            self._require_times(file, table, due, parts)
+            self._require_times(name, file, table, due, parts)
         rows = self._count(name)
         if rows is not None and rows != len(table):
             raise Error(f"{file}: it ends with row {len(table) + 1}, but the run wrote {rows + 1} rows; {_AGAIN}")
@@ -429,17 +429,23 @@ class Run:
     def _slack(self):
         return 0 if self.json["method"] in _CONTROLLED else 0.5 * self.json["step"]
 
-    def _require_times(self, file, table, due, parts):
+    def _require_times(self, name, file, table, due, parts):
         times = table["t"]
         for k, t in enumerate(times[:len(due) * parts]):
             wanted = due[k // parts]
             if not abs(t - wanted) <= self._slack() + 1e-9 * max(wanted, self.json["step"]):
                 raise Error(f"{file}, row {k + 2}: it is of {t} s where {wanted} s is due, so rows are missing or doubled; "
                             f"{_AGAIN}")
-        if len(times) != len(due) * parts:
+        rows = len(due) * parts
+        ended = self.json["ended_at"]
+        if name != "frames/frames.csv" and rows and len(times) >= rows and times[rows - 1] != ended:  # its last state
+            rows += parts
+            if any(t != ended for t in times[len(due) * parts:]):
+                raise Error(f"{file}: its last row is of {times[-1]} s, but the run ended at {ended} s; {_AGAIN}")
+        if len(times) != rows:
             last = f"row {len(times) + 1}" + (f" of {times[-1]} s" if len(times) else ", the heading")
             raise Error(f"{file}: it ends with {last}, but the run ended as {self.json['ended']!r} at "
-                        f"{self.json['ended_at']} s and wrote {len(due) * parts + 1} rows; {_AGAIN}")
+                        f"{self.json['ended_at']} s and wrote {rows + 1} rows; {_AGAIN}")
 
     def _count(self, name):
         """How many rows a state or a picture has; None if nothing says so."""

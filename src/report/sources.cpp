@@ -7,9 +7,10 @@ namespace furrow {
 namespace {
 
 // The text of a scene is no part of it: a result depends on its scene by the scene's hash.
-constexpr std::array state_path{"src/physics/",     "src/system/",       "src/reference/",        "src/kernel/",
-                                "src/methods/",     "src/run/",          "src/scene/packing.",    "src/scene/grid.",
-                                "src/scene/border", "src/scene/scene.h", "src/scene/unit_vector."};
+constexpr std::array state_path{"src/physics/",          "src/system/",       "src/reference/",     "src/kernel/",
+                                "src/methods/",          "src/run/",          "src/scene/packing.", "src/scene/grid.",
+                                "src/scene/border",      "src/scene/scene.h", "src/scene/lattice_", "src/scene/stem.",
+                                "src/scene/unit_vector."};
 
 }  // namespace
 

@@ -314,6 +314,7 @@ class Broken(unittest.TestCase):
                 (FIRST, {"time.end": 0.3, "output.interval": 0.1}),
                 (FIRST, {"time.end": 0.3, "output.interval": 0.1, "time.method": "odeint_dopri5"}),
                 (FIRST, {"time.end": 0.1003, "output.interval": 0.00013}),
+                (FIRST, {"time.end": 0.055, "output.interval": 0.02}),
                 (FIRST, {"time.end": 0.1, "output.interval": 0.00015, "time.locate": "all", "output.energy": False}),
                 (DISC, {})):
             run = furrow.run(scene, changes)

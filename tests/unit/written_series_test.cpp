@@ -1,6 +1,8 @@
 // The series that a run writes, read back and compared with the states that it went through.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "csv.h"
 #include "output/run_files.h"
 #include "written_scene.h"
@@ -235,6 +237,63 @@ TEST_F(WrittenSeries, EventsAreTheTearsWithTheirPlaceAndForce) {
   }
   EXPECT_GE(row, 2u);
   EXPECT_EQ(events.rows.size(), row);
+}
+
+// No row is due in the last 0.0005 s of these runs: a row every 0.003 s.
+Scene ending_between_rows() {
+  Scene scene = written_scene();
+  scene.time.end = 0.0155;
+  scene.output.interval = 0.003;
+  scene.output.frames = {};
+  return scene;
+}
+
+RunOutcome written(const Scene& scene, const OwnDirectory& directory, bool goes_on) {
+  RunRequest request{.scene_file = "s.toml", .scene = scene, .directory = directory.path() / "run"};
+  request.progress = [goes_on](const std::string&, double, double) { return goes_on; };
+  return run_with_files(request);
+}
+
+TEST(LastRow, IsTheEndOfARunThatEndsWhereNoneIsDue) {
+  const KnownRun known(ending_between_rows());
+  const OwnDirectory directory;
+  ASSERT_EQ(written(ending_between_rows(), directory, true).ended, "finished");
+  const Csv force(directory.path() / "run/plate_force.csv"), energy(directory.path() / "run/energy.csv"),
+      motion(directory.path() / "run/motion.csv");
+  const std::vector<double> want{0, 0.003, 0.006, 0.009, 0.012, 0.015, 0.0155};  // s
+  ASSERT_EQ(motion.rows.size(), want.size());
+  ASSERT_EQ(energy.rows.size(), want.size());
+  ASSERT_EQ(force.rows.size(), 2 * want.size());
+  for (std::size_t k = 0; k < want.size(); ++k) EXPECT_NEAR(motion.number(k, "t [s]"), want[k], 1e-15);
+  EXPECT_EQ(force.number(force.rows.size() - 1, "t [s]"), 0.0155);
+  EXPECT_EQ(motion.number(6, "speed [m/s]"), greatest_speed(known.system, known.moments.back().y));
+}
+
+TEST(LastRow, IsWhereARunWasStopped) {
+  const OwnDirectory directory;
+  ASSERT_EQ(written(ending_between_rows(), directory, false).ended, "interrupted");
+  const Csv motion(directory.path() / "run/motion.csv.partial");
+  ASSERT_EQ(motion.rows.size(), 4u);
+  EXPECT_NEAR(motion.number(3, "t [s]"), 0.0063, 1e-15);  // asked after each 64 states; the start is the first
+}
+
+// A disc falls ever faster, until it is above a thin plate before a step and below it after.
+TEST(LastRow, IsTheLastGoodStateOfARunThatDiverged) {
+  Scene scene = empty_scene();
+  scene.model.gravity = 1e5;
+  scene.disc = {disc({0, 0}, 0.05)};
+  scene.plate = {plate({-0.5, -10.016}, 1, 0.01)};
+  scene.time = {.end = 0.1, .step = 1e-4, .method = "pece"};
+  scene.output.interval = 0.0037;
+  const OwnDirectory directory;
+  const RunOutcome outcome = written(scene, directory, true);
+  ASSERT_EQ(outcome.ended, "diverged");
+  const double end = nlohmann::json::parse(outcome.json).at("ended_at");
+  const Csv motion(directory.path() / "run/motion.csv");
+  const std::size_t last = motion.rows.size() - 1;
+  EXPECT_EQ(motion.number(last, "t [s]"), end);
+  EXPECT_NEAR(motion.number(last, "speed [m/s]"), 1e5 * end, 1e-6 * 1e5 * end);  // exact but for round-off
+  EXPECT_GT(motion.number(last, "t [s]"), motion.number(last - 1, "t [s]"));
 }
 
 }  // namespace

@@ -26,6 +26,9 @@ Samples samples_in(const ForceCurve& c, Window w) {
           static_cast<std::size_t>(std::upper_bound(c.mm.begin(), c.mm.end(), w[1]) - c.mm.begin())};
 }
 
+// Of those, the ones that a mean or a share counts.
+Samples even(const ForceCurve& c, Samples s) { return {s.first, std::max(s.first, std::min(s.last, c.even()))}; }
+
 // Index of the largest value in magnitude (`sign` -1: the smallest); `last` if there is none or one is NaN.
 std::size_t extreme(const std::vector<double>& values, Samples s, double sign = 1) {
   std::size_t best = s.last;
@@ -56,7 +59,8 @@ double force_ratio(const ForceCurve& c, Samples s) {
 
 // Share of the run in percent.
 double force_free_share(const ForceCurve& c) {
-  return 100 * static_cast<double>(std::count(c.f.begin(), c.f.end(), 0.0)) / static_cast<double>(c.f.size());
+  const auto last = c.f.begin() + static_cast<std::ptrdiff_t>(c.even());
+  return 100 * static_cast<double>(std::count(c.f.begin(), last, 0.0)) / static_cast<double>(c.even());
 }
 
 // Least-squares exponential through the largest forces per 50 mm.
@@ -196,11 +200,11 @@ Measured measure(const RunRecord& run, const std::string& name, std::optional<Wi
   if (name == "largest_force") return {largest(c.f, s)};
   if (name == "largest_fx") return {largest(c.fx, s)};
   if (name == "largest_fy") return {largest(c.fy, s)};
-  if (name == "mean_force") return {mean(c.f, s)};
-  if (name == "mean_fx") return {mean(c.fx, s)};
-  if (name == "mean_fy") return {mean(c.fy, s)};
+  if (name == "mean_force") return {mean(c.f, even(c, s))};
+  if (name == "mean_fx") return {mean(c.fx, even(c, s))};
+  if (name == "mean_fy") return {mean(c.fy, even(c, s))};
   if (name == "largest_force_at") return {value_at(c.mm, s, extreme(c.f, s))};
-  if (name == "force_ratio") return {force_ratio(c, s)};
+  if (name == "force_ratio") return {force_ratio(c, even(c, s))};
   if (name == "force_free_share") return {force_free_share(c)};
   if (name == "growth_of_maxima") return {growth_of_maxima(c).factor};
   if (name == "exponential_share") return {growth_of_maxima(c).explained};

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "output/files.h"
+#include "output/schedule.h"
 #include "physics/ramp.h"
 #include "scene/labels.h"
 #include "scene/read.h"
@@ -73,13 +74,17 @@ void read_facts(const std::filesystem::path& file, RunRecord& run) {
   }
 }
 
-ForceCurve force_curve(const Table& table) {
+ForceCurve force_curve(const Table& table, const Scene& scene) {
   ForceCurve curve;
+  curve.due = 0;
+  Due due(make_method(scene.time.method)->info(), scene.time.step, scene.output.interval);
   const auto& plate = table.texts("plate");
-  const auto mm = table.numbers("displacement [m]"), fx = table.numbers("Fx [N]"), fy = table.numbers("Fy [N]"),
-             f = table.numbers("F [N]");
+  const auto t = table.numbers("t [s]"), mm = table.numbers("displacement [m]"), fx = table.numbers("Fx [N]"),
+             fy = table.numbers("Fy [N]"), f = table.numbers("F [N]");
   for (std::size_t k = 0; k < plate.size(); ++k) {
     if (plate[k] != plate[0]) continue;
+    if (due.at(t[k])) ++curve.due;
+    due.take(t[k]);
     curve.mm.push_back(1e3 * mm[k]);
     curve.fx.push_back(0 - fx[k]);
     curve.fy.push_back(fy[k]);
@@ -191,7 +196,7 @@ RunRecord read_run(const std::string& name, const std::filesystem::path& directo
   run.scene = parse_scene(run_text(scene), scene.string());
   run.lattices = lattices_of(run.scene);
   if (!run.fact("steps")) return run;
-  run.force = force_curve(Table(directory / "plate_force.csv"));
+  run.force = force_curve(Table(directory / "plate_force.csv"), run.scene);
   run.energy = Table(directory / "energy.csv");
   run.torn = torn_links(Table(directory / "events.csv"), run.lattices);
   if (const Fact* met = run.fact("plate_meets_lattice"))

@@ -1,6 +1,7 @@
 // What the files of a run say, and what the paper reports.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -18,6 +19,10 @@ namespace furrow::validation {
 // Force on the first plate. Resistance is positive: fx is minus the force on the plate.
 struct ForceCurve {
   std::vector<double> mm, fx, fy, f;  // mm of displacement, N
+  // The samples that were due, evenly spaced in time; more than there are: all. The state at the end, if none was due
+  // there, follows them: it is seen by largest values and places, not by means and shares.
+  std::size_t due = static_cast<std::size_t>(-1);
+  std::size_t even() const { return std::min(due, mm.size()); }
   double end() const { return mm.empty() ? 0 : mm.back(); }
 };
 

@@ -15,10 +15,10 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double beside_the_meeting = 30;                                   // mm
 constexpr double corner_width = 0.1, layer_height = 0.05, same_end = 1e-9;  // m
 
-// Samples of a window: of what, by index.
-std::vector<std::size_t> samples_in(const ForceCurve& c, const Window& w) {
+// Samples of a window, by index.
+std::vector<std::size_t> samples_in(const ForceCurve& c, const Window& w, std::size_t end) {
   std::vector<std::size_t> samples;
-  for (std::size_t k = 0; k < c.mm.size(); ++k) {
+  for (std::size_t k = 0; k < end; ++k) {
     if (c.mm[k] >= w[0] && c.mm[k] <= w[1]) samples.push_back(k);
   }
   return samples;
@@ -26,14 +26,14 @@ std::vector<std::size_t> samples_in(const ForceCurve& c, const Window& w) {
 
 double mean_magnitude(const ForceCurve& c, const std::vector<double>& force, const Window& w) {
   double sum = 0;
-  const std::vector<std::size_t> samples = samples_in(c, w);
+  const std::vector<std::size_t> samples = samples_in(c, w, c.even());
   for (const std::size_t k : samples) sum += std::fabs(force[k]);
   return sum / static_cast<double>(samples.size());
 }
 
 double place_of_largest(const ForceCurve& c, const std::vector<double>& force, const Window& w) {
   double largest = -1, at = nan;
-  for (const std::size_t k : samples_in(c, w)) {
+  for (const std::size_t k : samples_in(c, w, c.mm.size())) {
     if (std::fabs(force[k]) > largest) largest = std::fabs(force[k]), at = c.mm[k];
   }
   return at;
@@ -77,7 +77,7 @@ double contacts_per_100(const ForceCurve& c) {
 
 double correlation(const ForceCurve& c, const Window& w) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
-  for (const std::size_t k : samples_in(c, w)) {
+  for (const std::size_t k : samples_in(c, w, c.even())) {
     const double x = std::fabs(c.fx[k]), y = std::fabs(c.fy[k]);
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
   }

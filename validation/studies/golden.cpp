@@ -7,6 +7,7 @@
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/kept_result.h"
+#include "output/schedule.h"
 #include "output/strict_json.h"
 #include "report/seal.h"
 #include "report/study.h"
@@ -47,17 +48,17 @@ Json energies_of(const Energies& e) {
 // A run as it is kept: force on the tool (its plate or its driven nodes), tears, state hashes and energies at checkpoints, positions at the end.
 class Recorder {
  public:
-  explicit Recorder(const System& system) : system_(system) {}
+  Recorder(const System& system, Due due) : system_(system), due_(due) {}
 
   void see(double t, const State& y, const JumpReport& jump) {
     for (const Tear& tear : jump.torn)
       golden_["tears"].push_back({tear.time, system_.parts().link_name(tear.link), tear.force});
-    if (t < static_cast<double>(rows_) * golden_row_every - 1e-9) return;
+    if (!due_.at(t)) return;
     const Observation seen = observe(system_, t, y);
     const Force force = seen.plate.empty() ? seen.drive.at(0) : seen.plate[0];
     golden_["force"].push_back({t, force.x, force.y});
-    if (rows_ == 0 || std::fabs(t - first_checkpoint) < 1e-9) add_checkpoint(t, y);
-    ++rows_;
+    if (due_.taken() == 0 || std::fabs(t - first_checkpoint) < 1e-9) add_checkpoint(t, y);
+    due_.take(t);
   }
 
   Json finished(const RunEnd& end, const State& y) {
@@ -78,7 +79,7 @@ class Recorder {
 
   const System& system_;
   Json golden_{{"checkpoints", Json::array()}, {"force", Json::array()}, {"tears", Json::array()}};
-  long rows_ = 0;
+  Due due_;
 };
 
 Extent extent_of(const Which& which, bool quick) {
@@ -97,8 +98,8 @@ Json run_of(const Which& which, Extent extent) {
               {"scene_text", canonical_text(compared)}};
   Prepared prepared = prepare(scene);
   System& system = prepared.system;
-  Recorder recorder(system);
   const auto method = make_method(scene.time.method);
+  Recorder recorder(system, {method->info(), scene.time.step, golden_row_every});
   const RunPlan plan{.start = 0, .end = scene.time.end, .step = scene.time.step, .stop = {}};
   // Stopped there, not ended there: the last step of a run is cut to its end and has other bits than a whole one.
   const RunEnd ended = run(system, *method, prepared.y, plan, [&](double t, const State& y, const JumpReport& jump) {

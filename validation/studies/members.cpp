@@ -44,8 +44,8 @@ Json observed(const Scene& made, const std::string& scene, Curve curve) {
   }
   if (!run.finished()) return values;
   double sum = 0;
-  for (const double f : run.force.f) sum += f;
-  values["mean_force"] = kept(sum / static_cast<double>(run.force.f.size()));
+  for (std::size_t k = 0; k < run.force.even(); ++k) sum += run.force.f[k];
+  values["mean_force"] = kept(sum / static_cast<double>(run.force.even()));
   if (curve == Curve::kept) values["force_by_way"] = force_by_way(run.force);
   return values;
 }

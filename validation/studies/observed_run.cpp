@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/first_touch.h"
+#include "output/schedule.h"
 #include "physics/stress.h"
 #include "report/embedded.h"
 #include "report/seal.h"
@@ -47,18 +48,21 @@ RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch) {
   const auto mm = [&](double t) { return plate_displacement(record, t); };
   const auto method = make_method(time.method, {time.relative_tolerance, time.absolute_tolerance, time.step});
   const bool controlled = method->info().controlled;
-  long rows = 0;
-  const auto due = [&](double t) { return t >= static_cast<double>(rows) * interval - 0.5 * time.step; };
+  Due due(method->info(), time.step, interval);
+  double last = -1;  // s, of the last sample
+  const auto sample = [&](double t, const Force& force) {
+    last = t;
+    record.force.mm.push_back(mm(t));
+    record.force.fx.push_back(0 - force.x);
+    record.force.fy.push_back(force.y);
+    record.force.f.push_back(std::hypot(force.x, force.y));
+  };
   std::optional<Validity> validity;
   if (watch == Watch::on) validity.emplace(system, prepared.scene, [](const std::string&) {});
   const RunPlan plan{.start = 0,
                      .end = time.end,
                      .step = controlled ? time.max_step : time.step,
-                     .stop =
-                         [&](double t) {
-                           const double next = static_cast<double>(rows) * interval;
-                           return next > t && next < time.end ? next : time.end;
-                         },
+                     .stop = [&](double t) { return due.stop(t, time.end); },
                      .locate = time.locate,
                      .validity = validity ? &*validity : nullptr};
   FirstTouch touch;
@@ -66,21 +70,19 @@ RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch) {
     touch.see(system, t, y);
     for (const Tear& tear : jump.torn) record.torn.push_back({mm(tear.time), tear.link});
     const std::vector<double>& pictures = prepared.scene.output.frames;
-    while (record.frames.size() < pictures.size() && t >= pictures[record.frames.size()] - 0.5 * time.step) {
+    while (record.frames.size() < pictures.size() && t >= pictures[record.frames.size()] - due.slack()) {
       record.frames.push_back(frame_of(system, t, y));
       record.frames.back().mm = mm(t);
     }
-    if (!due(t)) return true;
+    if (!due.at(t)) return true;
     const Observation seen = observe(system, t, y);
     if (validity && prepared.scene.output.energy) validity->book(t, seen);
-    const Force force = seen.plate.at(0);
-    record.force.mm.push_back(mm(t));
-    record.force.fx.push_back(0 - force.x);
-    record.force.fy.push_back(force.y);
-    record.force.f.push_back(std::hypot(force.x, force.y));
-    while (due(t)) ++rows;
+    sample(t, seen.plate.at(0));
+    due.take(t);
     return true;
   });
+  record.force.due = record.force.mm.size();
+  if (end.time != last) sample(end.time, observe(system, end.time, prepared.y).plate.at(0));
   record.met = std::isfinite(touch.time()) ? mm(touch.time()) : std::numeric_limits<double>::quiet_NaN();
   record.facts = {{"ended", {end.ending == Ending::finished ? "finished" : "diverged"}},
                   {"reason", {end.reason}},

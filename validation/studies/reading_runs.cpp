@@ -35,9 +35,10 @@ void refuse_wrong(const Scene& scene) {
 // As `furrow run` watches it.
 Json watched(const Scene& scene) {
   const RunRecord run = observed_run(prepare(scene), scene.time, Watch::on);
+  const std::size_t due = run.force.even();
   return {{"valid", run.finished()},
           {"reason", run.fact("reason")->texts.at(0)},
-          {"reached", to_digits(run.force.end(), 5)},
+          {"reached", to_digits(due == 0 ? 0 : run.force.mm[due - 1], 5)},
           {"torn", run.torn.size()}};
 }
 

@@ -17,9 +17,14 @@ namespace furrow::validation {
 namespace {
 
 // What defines the numbers that the paper reports.
-const std::vector<std::string> observing{"validation/page/observables.", "validation/page/snapshot_observables.",
-                                         "validation/page/run_record.", "validation/studies/observed_run.",
-                                         "src/output/first_touch."};
+const std::vector<std::string> observing{"validation/page/observables.",
+                                         "validation/page/sentence_observables.",
+                                         "validation/page/snapshot_observables.",
+                                         "validation/page/run_record.",
+                                         "validation/page/table.",
+                                         "validation/studies/observed_run.",
+                                         "src/output/first_touch.",
+                                         "src/output/schedule."};
 
 std::vector<std::string> and_observing(std::vector<std::string> own) {
   own.insert(own.end(), observing.begin(), observing.end());
@@ -31,9 +36,19 @@ std::vector<std::string> and_members(const std::string& own) {
   return and_observing({own, "validation/studies/beds.", "validation/studies/members."});
 }
 
-std::vector<std::string> of_verification(const std::vector<std::string>& own, const std::string& other) {
-  std::vector<std::string> files{other, "verification/studies/kept_numbers."};
+// The search goes where the verdicts on what it has send it.
+std::vector<std::string> of_readings() {
+  std::vector<std::string> files = and_members("validation/studies/reading");
+  for (const char* other : {"validation/studies/sentences.", "validation/studies/verdict.",
+                            "validation/calibration/key_path.", "validation/calibration/varied_key."})
+    files.emplace_back(other);
+  return files;
+}
+
+std::vector<std::string> of_verification(const std::vector<std::string>& own, const std::vector<std::string>& others) {
+  std::vector<std::string> files{"verification/studies/kept_numbers."};
   for (const std::string& file : own) files.push_back("verification/studies/" + file);
+  files.insert(files.end(), others.begin(), others.end());
   return files;
 }
 
@@ -43,39 +58,44 @@ const std::vector<Study>& catalogue() {
   static const std::vector<Study> all{
       {.name = "order",
        .what = "observed order of each method on each kind of force",
-       .files = of_verification(
-           {"order.", "order_contacts.", "order_cure.", "order_friction.", "order_hertz.", "order_observed.",
-            "order_problems.", "order_reference.", "order_springs.", "order_trends."},
-           "verification/damped_hertz."),
+       .files = of_verification({"order.", "order_contacts.", "order_cure.", "order_friction.", "order_hertz.",
+                                 "order_observed.", "order_predicted.", "order_problems.", "order_reference.",
+                                 "order_springs.", "order_trends.", "published_schemes."},
+                                {"verification/damped_hertz."}),
        .measure = verification::measure_order,
        .chapter = order},
       {.name = "responses",
        .what = "one contact, one spring, one bent lattice beside closed forms; published impacts",
-       .files = of_verification({"responses."}, "verification/oblique_"),
+       .files = of_verification(
+           {"responses."}, {"verification/oblique_", "verification/bare_lattice.", "verification/cantilever_scenes.",
+                            "verification/damped_hertz.", "verification/hertz_law.", "verification/own_lattice.",
+                            "verification/round_body.", "verification/running."}),
        .measure = verification::measure_responses,
        .chapter = responses},
       {.name = "published",
        .what = "every method on published problems that have nothing to do with contacts",
-       .files = of_verification({"published", "order_observed.", "order_predicted.", "order_reference."},
-                                "verification/studies/order_problems."),
+       .files = of_verification(
+           {"published", "order_observed.", "order_predicted.", "order_problems.", "order_reference."}, {}),
        .measure = verification::measure_published,
        .chapter = published},
       {.name = "stability",
        .what = "where methods fail: stable steps by theory, and the solver's own blow-up",
        .files = of_verification(
            {"stability.", "scene_stability.", "scenes_stability.", "atlas.", "blow_up.", "growth.", "amplification."},
-           "src/report/linearise."),
+           {"src/report/cases.", "src/report/linearise."}),
        .measure = verification::measure_stability,
        .chapter = stability},
       {.name = "work_precision",
        .what = "error against evaluations and CPU time, every method on every scene",
        .files = {"benchmarks/studies/work_precision", "benchmarks/studies/reference.",
-                 "benchmarks/studies/measured_run.", "src/report/cases.", "src/report/linearise."},
+                 "benchmarks/studies/measured_run.", "src/output/schedule.", "src/report/cases.",
+                 "src/report/linearise."},
        .measure = benchmarks::measure_work_precision,
        .chapter = work_precision},
       {.name = "need",
        .what = "terms of the model that a scene could do without",
-       .files = {"benchmarks/studies/need", "benchmarks/studies/measured_run.", "src/report/cases."},
+       .files = {"benchmarks/studies/need", "benchmarks/studies/measured_run.", "src/output/schedule.",
+                 "src/report/cases."},
        .measure = benchmarks::measure_need,
        .chapter = need},
       {.name = "geometry",
@@ -101,8 +121,7 @@ const std::vector<Study>& catalogue() {
        .chapter = statements},
       {.name = "readings",
        .what = "every reading of what the paper leaves open, and every sentence judged",
-       .files = and_observing({"validation/studies/reading_runs.", "validation/studies/sentences.",
-                               "validation/page/sentence_observables."}),
+       .files = of_readings(),
        .measure = measure_readings,
        .chapter = readings_of_the_paper},
       {.name = "outlook",

@@ -109,11 +109,9 @@ void judge(Report& report, const Groups& groups, const Reasons& reasons) {
   report.text(
       "A limit, or what is said in words, is reproduced if at least half of the packings keep it, in kind if one in "
       "twenty does. A number is reproduced if the median of the packings is within a tenth of it, or if it lies "
-      "between "
-      "their 5 % and 95 % quantiles and at least 20 of them say one; in kind if the median is within a third of it. A "
-      "number that no run says is not testable, "
-      "one of a thing that does not happen is not reproduced. How words are read as ranges is said in "
-      "validation/statements.toml.");
+      "between their 5 % and 95 % quantiles and at least 20 of them say one; in kind if the median is within a third "
+      "of it. A number that no run says is not testable, one of a thing that does not happen is not reproduced. How "
+      "words are read as ranges is said in validation/statements.toml.");
   report.table("Every statement of the paper, judged. Numbers of an ensemble are the median of the runs that say one.",
                {"scene", "statement", "verdict", "the paper", "ours", "runs", "95 % interval of the median",
                 "5 % to 95 % of the packings", "why not"},
