@@ -83,19 +83,21 @@ TEST(KeptNumbers, OfOtherSourcesAnotherInputOrAnotherMachineAreMadeAgain) {
   EXPECT_EQ(count, 5);
 }
 
-TEST(KeptNumbers, TimesAreOfOneMachine) {
-  Place place;
-  Maker there = this_maker(sources);
-  there.machine = "another";
-  Numbers numbers("s", "full");
-  numbers.add({.key = "time", .timed = true, .value = 1}, there);
-  numbers.add({.key = "number", .value = 1}, there);
-  numbers.write(place.path / "s.json");
-  Measurement here("s", {.directory = place.path}, sources);
-  int count = 0;
-  Task time = task("time", 2, count), number = task("number", 2, count);
-  time.timed = true;
-  EXPECT_EQ(here.run({time, number}), (std::vector<Json>{2, 1}));
+TEST(KeptNumbers, TimesAreOfOneMachineAndOneWayToCompile) {
+  for (std::string Maker::*part : {&Maker::machine, &Maker::compiler, &Maker::flags}) {
+    Place place;
+    Maker there = this_maker(sources);
+    there.*part = "another";
+    Numbers numbers("s", "full");
+    numbers.add({.key = "time", .timed = true, .value = 1}, there);
+    numbers.add({.key = "number", .value = 1}, there);
+    numbers.write(place.path / "s.json");
+    Measurement here("s", {.directory = place.path}, sources);
+    int count = 0;
+    Task time = task("time", 2, count), number = task("number", 2, count);
+    time.timed = true;
+    EXPECT_EQ(here.run({time, number}), (std::vector<Json>{2, 1}));
+  }
 }
 
 TEST(KeptNumbers, AFailureIsTriedAgain) {

@@ -24,6 +24,7 @@
 #include "validation/commands.h"
 #include "validation/page/report.h"
 #include "validation/page/run_record.h"
+#include "validation/page/studies.h"
 
 namespace furrow::validation {
 namespace {
@@ -208,6 +209,7 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
   write_report(directory, runs, evidence, tool);
   directory.conclude("finished");
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
+  if (const std::string ages = ages_in_words(evidence); !ages.empty()) std::cerr << ages << "\n";
   const std::vector<std::string> missing = missing_evidence(evidence);
   for (const std::string& why : missing) std::cerr << "furrow: missing on the page: " << why << "\n";
   return worst == good && (failed_checks(evidence) > 0 || !missing.empty()) ? check_failed : worst;

@@ -114,12 +114,16 @@ int words_command(const StudyOptions& options) {
   const Shelf shelf(options.directory);
   for (const Study* study : studies_asked_for(options)) {
     const Json chapter = study->chapter(shelf).json();
+    const bool old_times = rests_on_old_times(*study, shelf, validation::catalogue());
     std::printf("# %s\n\n%s\n\n", chapter.at("title").get<std::string>().c_str(),
                 chapter.at("question").get<std::string>().c_str());
     for (const Json& claim : chapter.at("claims")) {
       const std::string value = claim.at("value"), aim = claim.at("aim"), text = claim.at("text");
-      std::printf("- %s%s%s%s%s\n", claim.at("holds").get<bool>() ? "" : "Does not hold: ", value.c_str(),
-                  aim.empty() ? "" : (" (aim: " + aim + ")").c_str(), value.empty() ? "" : ": ", text.c_str());
+      const char* mark = !claim.at("holds").get<bool>()   ? "Does not hold: "
+                         : !holds_today(claim, old_times) ? "By times older than the solver: "
+                                                          : "";
+      std::printf("- %s%s%s%s%s\n", value.c_str(), aim.empty() ? "" : (" (aim: " + aim + ")").c_str(),
+                  value.empty() ? "" : ": ", mark, text.c_str());
     }
     for (const Json& part : chapter.at("parts")) print_part(part);
   }
@@ -163,7 +167,7 @@ int study_command(const StudyOptions& options) {
     const auto say = [](const std::string& line) { std::printf("%s\n", line.c_str()); };
     return validation::check_few(settings, say) ? good : check_failed;
   }
-  const std::vector<std::string> refuted = run_study(study_named(options.name), settings);
+  const std::vector<std::string> refuted = run_study(study_named(options.name), settings, validation::catalogue());
   std::printf("%s/%s.json\n", options.directory.c_str(), options.name.c_str());
   for (const std::string& claim : refuted) progress.say("furrow: does not hold: " + claim);
   return refuted.empty() ? good : check_failed;

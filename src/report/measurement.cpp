@@ -175,7 +175,9 @@ const Result* Measurement::kept(const Task& task) const {
   if (!known || known->failed() || known->input != task.input || known->timed != task.timed) return nullptr;
   const Maker& maker = earlier_.makers().at(known->maker);
   if (!differing(maker.sources, maker_.sources).empty()) return nullptr;
-  return task.timed && maker.machine != maker_.machine ? nullptr : known;
+  const bool same_time =
+      maker.machine == maker_.machine && maker.compiler == maker_.compiler && maker.flags == maker_.flags;
+  return task.timed && !same_time ? nullptr : known;
 }
 
 void Measurement::note(const Task& task, Json value, double cpu, const Maker& maker) {

@@ -42,8 +42,8 @@ class Measurement {
   unsigned jobs() const { return settings_.jobs; }
 
   // The results in the order of the tasks. Each is kept in directory/STUDY.runs.jsonl as soon as it is there. Kept ones
-  // are taken if they have the key and the input, were made by the same sources, on this machine if they are timed, and
-  // did not fail. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
+  // are taken if they have the key and the input, were made by the same sources, on this machine by this compiler and its
+  // flags if they are timed, and did not fail. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
   virtual std::vector<Json> run(const std::vector<Task>& tasks);
 
   // A result that others have measured, with what they say of how.

@@ -76,13 +76,21 @@ struct Study {
   std::vector<std::string> reads{};  // other studies whose numbers its chapter needs
   void (*measure)(Measurement& measurement) = nullptr;
   Report (*chapter)(const Shelf& shelf) = nullptr;
+  std::string made_by{};  // the command that makes its numbers; empty: furrow study NAME
 
   Sources sources() const { return that_decide(sources_of_this_program(), files); }
 };
 
-// Measures the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold. Throws
-// Interrupted.
-std::vector<std::string> run_study(const Study& study, const Settings& settings);
+// Whether times that the chapter of a study rests on, its own or those of the studies that it reads, are older than the
+// solver. `all` are the studies to look among.
+bool rests_on_old_times(const Study& study, const Shelf& shelf, const std::vector<Study>& all);
+
+// Whether a claim of Report::json() is shown today: times that are older than the solver bear nothing out.
+bool holds_today(const Json& claim, bool old_times);
+
+// Measures the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold today, where
+// those of `all` that it reads count too. Throws Interrupted.
+std::vector<std::string> run_study(const Study& study, const Settings& settings, const std::vector<Study>& all = {});
 
 // Makes a sample of the study's cheap kept numbers anew: what did not come out, a line each.
 struct Checked {

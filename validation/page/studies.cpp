@@ -144,15 +144,11 @@ std::string words_of(const Numbers& numbers, const Age& age) {
          " of them were made before these sources changed: " + listed(age.changed, 8) + ".";
 }
 
-bool holds_today(const ordered_json& claim, bool old_times) {
-  return claim.at("holds").get<bool>() && !(old_times && claim.value("timed", false));
-}
-
 std::string id_of_claim(const StudyResult& result, std::size_t k) {
   return "claim_" + result.name + "_" + std::to_string(k + 1);
 }
 
-// Value first, then the aim, then the sentence. Times that are older than the solver bear nothing out.
+// Value first, then the aim, then the mark and what it is about.
 std::string claims_of(const StudyResult& result) {
   const ordered_json& claims = result.report.at("claims");
   std::string rows;
@@ -161,37 +157,66 @@ std::string claims_of(const StudyResult& result) {
     const bool holds = holds_today(claim, result.old_times), waits = !holds && claim.at("holds").get<bool>();
     std::string words = claim.value("value", "").empty() ? "" : element("strong", text(claim, "value"));
     if (!claim.value("aim", "").empty()) words += " (aim: " + text(claim, "aim") + ")";
-    words += (words.empty() ? "" : ": ") + text(claim, "text");
     const std::string mark = waits   ? "<span class=\"chip none\">times older than the solver</span> "
                              : holds ? "<span class=\"chip good\">✓ holds</span> "
                                      : "<span class=\"chip bad\">✗ does not hold</span> ";
+    if (!words.empty()) words += " ";
     rows += "<li id=\"" + id_of_claim(result, k) + "\"" +
             (holds   ? ">"
              : waits ? " class=\"waits\">"
                      : " class=\"refuted\">") +
-            mark + words + "</li>\n";
+            words + mark + text(claim, "text") + "</li>\n";
   }
   return rows.empty() ? rows : element("ul", rows, "claims");
 }
 
+std::string command_of(const Study& study) {
+  return study.made_by.empty() ? "furrow study " + study.name : study.made_by;
+}
+
+const Study* of_the_page(const Evidence& evidence, const std::string& name) {
+  if (!unusable_study(evidence, name).empty()) return nullptr;
+  return &*std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
+                        [&](const Study& s) { return s.name == name; });
+}
+
 }  // namespace
+
+std::string ages_in_words(const Evidence& evidence) {
+  if (evidence.studies.empty()) return {};
+  const Shelf shelf(evidence.studies);
+  std::size_t results = 0, old = 0;
+  std::string which;
+  for (const std::string& name : studies_of_the_page()) {
+    const Study* study = of_the_page(evidence, name);
+    if (!study) continue;
+    const Age age = age_of(shelf.of(name), study->sources());
+    results += age.results;
+    old += age.old;
+    if (age.old > 0)
+      which += (which.empty() ? "; older: " : ", ") + name + " (" + std::to_string(age.old) + " of " +
+               std::to_string(age.results) + ")";
+  }
+  return std::to_string(results - old) + " of " + std::to_string(results) +
+         " numbers of studies are of today's solver" + which;
+}
 
 std::vector<StudyResult> study_results(const Evidence& evidence) {
   std::vector<StudyResult> results;
   if (evidence.studies.empty()) return results;
   const Shelf shelf(evidence.studies);
   for (const std::string& name : studies_of_the_page()) {
-    if (!unusable_study(evidence, name).empty()) continue;
-    const auto study = std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
-                                    [&](const Study& s) { return s.name == name; });
+    const Study* study = of_the_page(evidence, name);
+    if (!study) continue;
     StudyResult result{name, study->chapter(shelf).json(), "", age_of(shelf.of(name), study->sources())};
+    result.made_by = command_of(*study);
+    result.old_times = rests_on_old_times(*study, shelf, evidence.catalogue);
     for (const Maker& maker : shelf.of(name).makers()) result.machines.insert(maker.machine);
     std::vector<std::string> read{name};
     read.insert(read.end(), study->reads.begin(), study->reads.end());
     for (const Study& other : evidence.catalogue) {
       if (std::find(read.begin(), read.end(), other.name) == read.end()) continue;
       const Age age = age_of(shelf.of(other.name), other.sources());
-      result.old_times = result.old_times || age.old_timed > 0;
       result.age += (other.name == name ? " " : " Of the study " + other.name + ": ") +
                     typeset(escaped(words_of(shelf.of(other.name), age)));
     }
@@ -229,7 +254,7 @@ std::string chapter_html(const StudyResult& result, const std::string& number, P
 
 std::string study_section(const StudyResult& result, const std::string& number, Page& page) {
   const std::string id = page.id("study " + result.name);
-  const std::string made = " By <code>furrow study " + result.name + "</code>:" + result.age;
+  const std::string made = " By <code>" + result.made_by + "</code>:" + result.age;
   return "<section id=\"" + id + "\">\n" + chapter_html(result, number, page) +
          element("p", age_chip(result.numbers) + made, "note") + "</section>\n";
 }

@@ -18,10 +18,14 @@ struct StudyResult {
   Age numbers;      // of its own numbers
   bool old_times = false;
   std::set<std::string> machines{};  // that its numbers were made on
+  std::string made_by{};             // the command that makes them
 };
 
 // Those of all studies that can be shown, in the order of the page; what cannot is said by missing_evidence.
 std::vector<StudyResult> study_results(const Evidence& evidence);
+
+// "8123 of 8463 numbers of studies are of today's solver; older: responses (12 of 20), ..."; empty if none are shown.
+std::string ages_in_words(const Evidence& evidence);
 
 // HTML. The figures go to the page's files. Throws std::runtime_error if gnuplot fails.
 std::string chapter_html(const StudyResult& result, const std::string& number, Page& page);  // without its age

@@ -200,7 +200,7 @@ std::string ages(const std::vector<StudyResult>& studies, const Evidence& eviden
                               element("td", when(study.numbers.first), "when") +
                               element("td", when(study.numbers.last), "when") + element("td", makers_of(study)) +
                               element("td", age_chip(study.numbers)) +
-                              element("td", "<code>furrow study " + study.name + "</code>", "command"));
+                              element("td", "<code>" + study.made_by + "</code>", "command"));
   }
   rows += age_of_file(unusable_faults(evidence.faults), evidence.faults, "faults", "Faults that they notice", "results",
                       "scripts/faults");

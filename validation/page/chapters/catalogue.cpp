@@ -116,7 +116,7 @@ const std::vector<Study>& catalogue() {
       {.name = "statements",
        .what = "the paper, sentence by sentence; gaps and misprints tried both ways",
        .files = and_members("validation/studies/statements."),
-       .reads = {"ensemble"},
+       .reads = {"ensemble", "convergence", "readings"},
        .measure = measure_statements,
        .chapter = statements},
       {.name = "readings",
@@ -132,7 +132,8 @@ const std::vector<Study>& catalogue() {
       {.name = "speed",
        .what = "what scripts/rivals and scripts/track have measured, put together for the page",
        .measure = benchmarks::measure_speed,
-       .chapter = speed},
+       .chapter = speed,
+       .made_by = "scripts/rivals, track, scale and beyond"},
   };
   return all;
 }

@@ -105,7 +105,7 @@ void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
        .variables = {{"count", dots.size()}},
        .blocks = {{"dots", dots}}});
   if (best == nullptr || pece == nullptr) {
-    report.claim("A rival agrees with furrow on the physics.", false);
+    report.claim({.text = "Rivals that agree with furrow on the physics.", .value = "none", .aim = "one or more"});
     return;
   }
   add_headlines(report, *pece, *best, same);

@@ -39,7 +39,7 @@ std::string spread(const Json& three) {
 }
 
 void not_measured(Report& report, const std::string& what, const std::string& by) {
-  report.claim("Measured: " + what + ", by " + by + ".", false);
+  report.claim({.text = what + ", by " + by + ".", .value = "not measured", .aim = "measured"});
 }
 
 // ---- where the instructions go: scripts/track --profile ----
