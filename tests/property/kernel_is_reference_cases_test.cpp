@@ -1,6 +1,10 @@
 // Scenes in which the kernel once gave other bits than the reference.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "both_solvers.h"
 
 namespace furrow {
@@ -12,6 +16,34 @@ Scene of_one_material() {
   Scene scene;
   scene.material = {{.name = "soft", .young = 1e5, .poisson = 0.25}};
   return scene;
+}
+
+// What these tests say of a difference.
+TEST(KernelIsReference, ADifferenceIsNamedByItsNumberAndItsContact) {
+  Scene scene = of_one_material();
+  scene.contact.friction = 0.5;
+  scene.disc = {{{0, 0}, 0.01, {}, 0, "soft"}, {{0.019, 0}, 0.01, {}, 0, "soft"}};
+  scene.wall = {{"", {0, -0.009}, {0, 1}, "soft"}};
+  const System system(scene);
+  std::vector<Contact> contacts;
+  system.for_each_contact(0, system.initial_state(), [&](const Contact& c) { contacts.push_back(c); });
+  ASSERT_EQ(contacts.size(), 3u);
+  Contact other = contacts[0];
+  other.force.normal = std::nextafter(other.force.normal, 1e300);
+  const auto said = [&](const Contact& one, const Contact& two) { return test::difference(system.parts(), one, two); };
+  EXPECT_EQ(said(contacts[0], contacts[0]), "");
+  EXPECT_EQ(said(contacts[0], other).find("normal force of the disc-disc contact of disc 0 and disc 1: kernel "), 0u);
+  EXPECT_EQ(
+      said(contacts[1], contacts[2]),
+      "the next contact: kernel the disc-wall contact of disc 0 and wall 0, reference the disc-wall contact of disc "
+      "1 and wall 0");
+  const DiscreteState start = system.discrete_state();
+  DiscreteState changed = start;
+  std::swap(changed.unused.front(), changed.unused.back());
+  EXPECT_EQ(test::difference(start, changed).find("which slots are unused: "), 0u);
+  changed = start;
+  changed.preparing = true;
+  EXPECT_EQ(test::difference(start, changed), "whether the scene is prepared: kernel 0, reference 1");
 }
 
 // A node adds up its links in their order, whatever kinds and widths of lattices stand beside it.

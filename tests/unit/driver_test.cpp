@@ -72,8 +72,8 @@ void expect_first_drives(const Scene& scene, const Moving& moving, const std::st
   const Driver driver = driver_of(system, 0, y, l, motion, {-rate, 0});
   EXPECT_EQ(driver.name, "contact of disc 0 and wall 0");
   EXPECT_EQ(driver.how, how);
-  // Central differences over 1e-5 of the overlap: their error is 1e-10, and round-off 1e-7.
-  EXPECT_NEAR(driver.share, powers[0] / (powers[0] + powers[1]), 1e-6);
+  // Central differences over 1e-5 of the overlap: their error is some 1e-10.
+  EXPECT_NEAR(driver.share, powers[0] / (powers[0] + powers[1]), 1e-9);
 }
 
 TEST(Driver, IsTheContactWithADashpot) {
