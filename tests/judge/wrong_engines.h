@@ -139,6 +139,7 @@ inline std::vector<WrongEngine> wrong_engines() {
       with_another_case("no bending springs", "cantilever", without_springs("bending")),
       with_another_case("no diagonal springs", "own_strength", without_springs("shear")),
       with_another_case("bending springs as strong as structural ones", "own_strength", bending_as_strong),
+      with_another_case("a bed without friction", "bed_pushed_far", set_contact("friction", 0.0)),
       with_another_case("no damping along springs", "damped_spring", scale("spring", "damping", 0)),
       with_another_case("nothing tears", "tear_by_impulse", nothing_tears)};
 }
