@@ -13,7 +13,7 @@ namespace furrow {
 namespace {
 constexpr long most_between = 200, closely_every = 25;  // steps, from one look at the energy to the next
 constexpr long early_until = 200;                       // steps
-constexpr int bodies_for_a_step = 4;                    // by so many more, one step more
+constexpr int few_bodies = 8;                           // of which each step is looked at; one more body, one step more
 constexpr long borders_every = 50;                      // steps, at what crosses
 constexpr double renew_beyond = 1.1;                    // times what was there when it was looked at last
 constexpr double judge_beyond = 1.25;                   // times the rate that the step was judged by
@@ -55,6 +55,7 @@ struct Validity::Stiffest {
   double time = 0;         // s
   double judged_rate = 0;  // 1/s
   EnergyFloor floor;
+  double seen_at = -infinity;  // s, the last step of all
 };
 
 Validity::~Validity() { system_.watch(false); }
@@ -75,7 +76,7 @@ Validity::Validity(System& system, const Scene& scene, Warn warn)
     of(kind).watched = system.keeps_ledger();
   step_ = make_method(scene.time.method)->info().controlled ? scene.time.max_step : scene.time.step;
   const Parts& parts = system.parts();
-  balance_every_ = std::clamp<long>(parts.bodies() / bodies_for_a_step, 1, most_between);
+  balance_every_ = std::clamp<long>(parts.bodies() - few_bodies + 1, 1, most_between);
   extremes_.plate.resize(parts.plate.size());
   for (const PlatePart& p : parts.plate) plate_speed_ = std::max(plate_speed_, std::hypot(p.vx, p.vy));
   for (const double spacing : parts.node.spacing) least_spacing_ = std::min(least_spacing_, spacing);
@@ -87,6 +88,7 @@ void Validity::history(HistoryVisitor& visit) {
   extremes_.history(visit);
   visit("failure", failure_);
   visit("started", started_);
+  visit("seen at", stiffest_->seen_at);
   start_.history(visit);
   visit("supplied", supplied_);
   visit("most lost", most_lost_);
@@ -133,7 +135,12 @@ void Validity::say(WatchKind kind, Verdict verdict) {
   failure_ = text.str();
 }
 
-void Validity::see(const Step& step, const JumpReport& report) {
+// A step begins when the last one ended, to the last digit: what moves by the time, a plate or driven nodes, would else pass
+// between the two.
+void Validity::see(const Step& given, const JumpReport& report) {
+  const bool goes_on = given.h > 0 && std::fabs(given.t - given.h - stiffest_->seen_at) < 1e-6 * given.h;
+  const Step step{given.t, goes_on ? given.t - stiffest_->seen_at : given.h, given.before, given.after, given.motion};
+  stiffest_->seen_at = given.t;
   const Survey& survey = *report.survey;
   look_at_speed(step);
   look_at_plates(step.t, survey);

@@ -19,7 +19,7 @@
 // Overlap: at 0.1 a contact is 0.3 radii wide, too wide for Hertz's half-space; at 1 a centre reaches the other's
 // surface. Energy: a ledger closes to the error of the method; if a tenth of all energy is made by the method, the run
 // means nothing. What a scene allows (Scene::allow) neither warns nor ends a run up to there; beyond, the run ends.
-// Energy is looked at at each step of up to 7 bodies and at every n-th of 4 n, no fewer than every 200th, and at the end:
+// Energy is looked at at each step of up to 8 bodies, at every n-th of n + 7, at every 200th at least, and at the end:
 // what was made for good stays in the residual, and of what comes and goes within a contact one of n pairs has an n-th. So
 // in a large scene the worst within a contact may lie between two looks. Every 25 steps at least once there was a warning,
 // and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, and whenever

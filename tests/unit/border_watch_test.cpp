@@ -101,7 +101,8 @@ TEST(BorderWatch, NoneOfAHundredIsMissed) {
 
 TEST(BorderWatch, ADiscThatSlidesAlongOrIsThrownBackCrossesNone) {
   Scene scene = disc_before_lattice(2e-3, 0.0275, 9);
-  EXPECT_EQ(through(scene, 1e-5, 0.05), 0);
+  scene.disc[0].velocity = {0.1, 0};
+  EXPECT_EQ(through(scene, 1e-5, 0.1), 0);
   scene.disc = {disc({-0.0019, -0.01}, 2e-3, {0, 1})};
   EXPECT_EQ(through(scene, 1e-5, 0.05), 0);
 }

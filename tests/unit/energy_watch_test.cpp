@@ -26,6 +26,7 @@ TEST(EnergyWatch, ARunOfFewStepsEndsWhereItHasMadeItsEnergy) {
 // gone after it. The greatest residual over the steps, found here at each.
 TEST(EnergyWatch, OfAFewBodiesTheWorstOfAllStepsIsSeen) {
   Scene scene = empty_scene();
+  scene.material[0].young = 8e9;
   scene.wall = {wall({0, 0}, {0, 1})};
   scene.disc = {disc({0, 0.0105}, 0.01, {0, -1})};
   scene = allowing_all(scene);
