@@ -30,7 +30,9 @@ std::string crc_of(std::string_view text) {
 
 constexpr std::string_view before_seal = ",\n  \"seal\": \"";
 
-std::string entry_of(const fs::path& file) {
+}  // namespace
+
+std::string length_and_crc(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   boost::crc_32_type crc;
   std::uint64_t bytes = 0;
@@ -44,12 +46,10 @@ std::string entry_of(const fs::path& file) {
   return std::to_string(bytes) + " " + in_digits(crc);
 }
 
-}  // namespace
-
 nlohmann::ordered_json list_of_files(const fs::path& directory, const std::vector<std::string>& names) {
   nlohmann::ordered_json list = nlohmann::ordered_json::object();
   for (const std::string& name : names) {
-    if (fs::is_regular_file(directory / name)) list[name] = entry_of(directory / name);
+    if (fs::is_regular_file(directory / name)) list[name] = length_and_crc(directory / name);
   }
   return list;
 }
@@ -72,7 +72,7 @@ std::string spoilt_file(const fs::path& directory) {
     return "run.json is not what the run wrote";
   for (const auto& [name, wanted] : run_json.at("files").items()) {
     if (!fs::is_regular_file(directory / name)) return name + " is missing";
-    if (entry_of(directory / name) != wanted) return name + " is not what the run wrote";
+    if (length_and_crc(directory / name) != wanted) return name + " is not what the run wrote";
   }
   return {};
 }

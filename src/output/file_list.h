@@ -9,6 +9,9 @@
 
 namespace furrow {
 
+// "120 cbf43926": the bytes of a file and its CRC-32. Throws FileError if it cannot be read.
+std::string length_and_crc(const std::filesystem::path& file);
+
 // Of those that are there: {"NAME": "120 cbf43926", ...}. Throws FileError if one cannot be read.
 nlohmann::ordered_json list_of_files(const std::filesystem::path& directory, const std::vector<std::string>& names);
 

@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 namespace furrow {
 namespace {
@@ -20,6 +22,14 @@ constexpr std::size_t most_in_memory = 1 << 16;  // bytes
 constexpr mode_t permissions = 0666;             // less what umask takes
 
 std::atomic<int> being_written = 0;
+
+std::mutex watchers_mutex;
+std::vector<FileWatcher*> watchers;
+
+void tell(const fs::path& file, int descriptor) {
+  const std::scoped_lock lock(watchers_mutex);
+  for (FileWatcher* watcher : watchers) watcher->made(file, descriptor);
+}
 
 [[noreturn]] void fail(const std::string& what, const fs::path& file, int error) {
   throw FileError(what + file.string() + ": " + std::strerror(error));
@@ -51,6 +61,7 @@ void refuse_to_replace(const fs::path& file) {
 
 int made_for(const fs::path& file) {
   refuse_to_replace(file);
+  tell(file, -1);
   return made(partial_of(file));
 }
 
@@ -135,7 +146,23 @@ OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, Ending e
       hash_(hash),
       descriptor_(descriptor),
       ending_(ending) {
+  try {
+    tell(file_, descriptor_);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
   ++being_written;
+}
+
+FileWatcher::FileWatcher() {
+  const std::scoped_lock lock(watchers_mutex);
+  watchers.push_back(this);
+}
+
+FileWatcher::~FileWatcher() {
+  const std::scoped_lock lock(watchers_mutex);
+  std::erase(watchers, this);
 }
 
 OutputFile::OutputFile(const fs::path& file, std::string_view headings)
@@ -145,6 +172,7 @@ OutputFile::OutputFile(const fs::path& file, std::string_view headings)
 
 OutputFile OutputFile::at_once(const fs::path& file) {
   refuse_to_replace(file);
+  tell(file, -1);
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = made_beside(partial);
   return {file, partial, descriptor, Ending::is_new_or_nothing};
@@ -154,6 +182,7 @@ OutputFile OutputFile::replacing(const fs::path& file) {
   const fs::file_type there = type_of(file);
   if (there != fs::file_type::not_found && there != fs::file_type::regular)
     refuse(file, there == fs::file_type::directory ? "it is a directory" : "it is no regular file");
+  tell(file, -1);
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = made_beside(partial);
   return {file, partial, descriptor, Ending::replaces};
@@ -162,6 +191,7 @@ OutputFile OutputFile::replacing(const fs::path& file) {
 OutputFile OutputFile::rewriting(const fs::path& file) {
   const fs::path partial = partial_of(file);
   if (is_regular(partial)) unlink(partial.c_str());
+  tell(file, -1);
   return {file, partial, made(partial), Ending::replaces};
 }
 

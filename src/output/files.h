@@ -117,6 +117,17 @@ class OutputFile {
 // The whole text at once, in place of what stood there.
 void replace_file(const std::filesystem::path& file, std::string_view text);
 
+// Is called by every OutputFile for the file that it will be when finished: just before it is made (descriptor -1), and once
+// it is there, still empty, or reopened. One that throws keeps it from being made. By any thread.
+class FileWatcher {
+ public:
+  FileWatcher();
+  virtual ~FileWatcher();
+  FileWatcher(const FileWatcher&) = delete;
+  FileWatcher& operator=(const FileWatcher&) = delete;
+  virtual void made(const std::filesystem::path& file, int descriptor) = 0;
+};
+
 // Number of files being written now, in all threads; may be asked in a signal handler.
 int files_being_written();
 

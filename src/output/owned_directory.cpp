@@ -8,8 +8,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "output/build_info.h"
 #include "output/process.h"
@@ -24,7 +26,6 @@ using Json = nlohmann::ordered_json;
 constexpr const char* marker_name = ".furrow.json";
 constexpr std::string_view marker_begins = "{\n  \"program\": \"furrow\",";
 constexpr const char* running = "running";  // how an owner stands that has not said how it ended
-constexpr const char* endings[] = {"", ".partial"};
 
 fs::file_type type_of(const fs::path& path) {
   std::error_code failed;
@@ -60,14 +61,23 @@ bool is_unfinished_marker(const fs::path& path) {
 bool is_proper(const std::string& name) {
   const fs::path path(name);
   return !path.empty() && path.is_relative() && path == path.lexically_normal() && path.has_filename() &&
-         *path.begin() != ".." && name != marker_name;
+         *path.begin() != ".." && name != marker_name && name != journal_name;
 }
 
 struct Marker {
   std::string kind, began, standing;
   ProcessIdentity process;
-  std::set<std::string> files;
+  std::map<std::string, std::string> files;  // with their endings: length and CRC-32
 };
+
+// In a marker of an earlier version, which listed names alone, both endings of each, and no more.
+std::map<std::string, std::string> files_of(const Json& list) {
+  if (list.is_object()) return list.get<std::map<std::string, std::string>>();
+  std::map<std::string, std::string> files;
+  for (const std::string& name : list.get<std::vector<std::string>>())
+    for (const char* ending : file_endings) files[name + ending] = "";
+  return files;
+}
 
 // Throws Json::exception.
 Marker marker_of(const Json& json) {
@@ -75,7 +85,7 @@ Marker marker_of(const Json& json) {
           .began = json.at("began"),
           .standing = json.at("standing"),
           .process = {json.at("pid"), json.at("process_start"), json.at("host")},
-          .files = json.at("files")};
+          .files = files_of(json.at("files"))};
 }
 
 // None if there is none.
@@ -86,7 +96,8 @@ std::optional<Marker> marker_in(const fs::path& directory) {
     std::ifstream stream(file);
     const Json json = is_file(file) ? json_or_discarded(stream) : Json();
     Marker marker = marker_of(json);
-    if (json.at("program") == "furrow" && std::all_of(marker.files.begin(), marker.files.end(), is_proper))
+    if (json.at("program") == "furrow" &&
+        std::all_of(marker.files.begin(), marker.files.end(), [](const auto& f) { return is_proper(f.first); }))
       return marker;
   } catch (const Json::exception&) {
     // as any other that is not a marker
@@ -131,18 +142,20 @@ std::vector<fs::path> directories_of(const fs::path& directory, const std::strin
 }
 
 // What stands where the owner's file is or will be must be that file or nothing.
-void refuse_what_is_in_the_way(const fs::path& directory, const std::string& file, bool own) {
+void refuse_what_is_in_the_way(const fs::path& directory, const std::string& file, const MadeFiles& made) {
   if (!is_proper(file)) throw FileError(file + " is not a name of a file in " + directory.string());
   for (const fs::path& between : directories_of(directory, file)) {
     if (is_there(between) && type_of(between) != fs::file_type::directory)
       throw FileError(between.string() +
                       " is in the way: it is not a directory; move it away, or choose another --out");
   }
-  for (const char* ending : endings) {
+  for (const char* ending : file_endings) {
     const fs::path path = directory / (file + ending);
-    if (!is_there(path) || (own && is_file(path))) continue;
-    throw FileError(path.string() +
-                    " is in the way: it is not a file of furrow's; move it away, or choose another --out");
+    if (!is_there(path) || made.is_own(file + ending)) continue;
+    const bool named = made.names().contains(file) && is_file(path);
+    throw FileError(path.string() + " is in the way: it is not " +
+                    (named ? "the file that furrow wrote" : "a file of furrow's") +
+                    "; move it away, or choose another --out");
   }
 }
 
@@ -191,17 +204,20 @@ void OwnedDirectory::take(const std::vector<std::string>& files, Earlier earlier
     throw FileError(directory_.string() + " belongs to a " + marker->kind + " of furrow's, not to a " + kind_ +
                     "; choose another --out");
   }
-  const std::set<std::string> before = marker ? marker->files : std::set<std::string>();
+  made_.open(directory_);
+  if (marker)
+    for (const auto& [file, content] : marker->files) made_.know(file, content);
+  const std::set<std::string> before = made_.names();
   std::set<std::string> all = before;
   all.insert(files.begin(), files.end());
-  for (const std::string& file : all) refuse_what_is_in_the_way(directory_, file, before.contains(file));
+  for (const std::string& file : all) refuse_what_is_in_the_way(directory_, file, made_);
   // The marker of before still says whose the files are while they are removed.
   if (earlier == Earlier::replaced) {
     for (const std::string& file : before) discard(file);
   }
-  files_ = earlier == Earlier::replaced ? std::set(files.begin(), files.end()) : all;
   remove_unfinished_markers(directory_);
   write_marker(running);
+  if (earlier == Earlier::replaced) made_.forget();
   make_directories(files);
 }
 
@@ -215,15 +231,13 @@ void OwnedDirectory::make_directories(const std::vector<std::string>& files) con
 }
 
 void OwnedDirectory::add(const std::vector<std::string>& files) {
-  for (const std::string& file : files) refuse_what_is_in_the_way(directory_, file, files_.contains(file));
-  files_.insert(files.begin(), files.end());
-  write_marker(running);
+  for (const std::string& file : files) refuse_what_is_in_the_way(directory_, file, made_);
   make_directories(files);
 }
 
 void OwnedDirectory::discard(const std::string& file) {
-  for (const char* ending : endings) {
-    if (is_there(directory_ / (file + ending))) remove_file(directory_ / (file + ending));
+  for (const char* ending : file_endings) {
+    if (made_.is_own(file + ending)) remove_file(directory_ / (file + ending));
   }
   // A directory goes with its last file; one that holds more stays.
   std::vector<fs::path> between = directories_of(directory_, file);
@@ -231,18 +245,15 @@ void OwnedDirectory::discard(const std::string& file) {
 }
 
 void OwnedDirectory::keep_only(const std::vector<std::string>& files) {
-  for (const std::string& file : files_) {
+  for (const std::string& file : made_.names()) {
     if (std::find(files.begin(), files.end(), file) == files.end()) discard(file);
   }
-  make_directories({files_.begin(), files_.end()});
+  make_directories(files);
 }
 
 void OwnedDirectory::conclude(const std::string& standing) {
-  std::erase_if(files_, [&](const std::string& file) {
-    return std::none_of(std::begin(endings), std::end(endings),
-                        [&](const char* ending) { return is_there(directory_ / (file + ending)); });
-  });
   write_marker(standing);
+  made_.forget();
   concluded_ = true;
 }
 
@@ -257,7 +268,7 @@ void OwnedDirectory::write_marker(const std::string& standing) const {
                   {"host", self.host},
                   {"began", began_},
                   {"standing", standing},
-                  {"files", files_}};
+                  {"files", Json(made_.contents())}};
   replace_file(directory_ / marker_name, json.dump(2) + "\n");
 }
 

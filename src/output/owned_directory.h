@@ -1,14 +1,14 @@
 // A directory that belongs to one run, or one report: a marker in it, .furrow.json, says of what kind it is, who made
-// it and which files are its own. Whoever takes the directory again removes these files and no others. Directories in
-// it that have a marker of their own are left alone.
+// it and which files it made, and how they were when it ended. Whoever takes the directory again removes these files and
+// no others: a file of the same name that another has put there, or has changed, is none of them. Directories in it that
+// have a marker of their own are left alone.
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "output/files.h"
+#include "output/made_files.h"
 
 namespace furrow {
 
@@ -48,7 +48,7 @@ class OwnedDirectory {
 
   std::filesystem::path directory_;
   std::string kind_, began_;
-  std::set<std::string> files_;
+  MadeFiles made_;
   int lock_ = -1;  // descriptor of the directory
   bool concluded_ = false;
 };
