@@ -82,6 +82,22 @@ TEST_F(Signals, APackingHearsThem) {
   EXPECT_EQ(run.code(), 130);
 }
 
+// The engine says that it cannot do the first case, and sleeps in the second.
+TEST_F(Signals, AJudgeKeepsWhatItHasAndMarksIt) {
+  put("engine",
+      "cat >/dev/null\nif [ -e asked ]; then touch again; sleep 60; fi\ntouch asked\n"
+      "echo '{\"engine\": \"x\", \"cannot\": \"nothing\"}'\n");
+  Process run(directory_, started("judge --engine 'sh ./engine' --json kept.json --junit kept.xml"));
+  ASSERT_TRUE(comes_true([&] { return has("again"); }));
+  run.send(SIGTERM);
+  EXPECT_EQ(run.code(), 130);
+  const auto kept = nlohmann::json::parse(text("kept.json"));
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_TRUE(kept[0]["partial"].get<std::string>().starts_with("1 of ")) << kept[0];
+  EXPECT_EQ(kept[0]["command"], "sh ./engine");
+  EXPECT_NE(text("kept.xml").find("interrupted: 1 of "), std::string::npos);
+}
+
 TEST_F(Signals, EveryOtherCommandHearsThem) {
   put_large_bed("2000000", "39.0");
   ASSERT_EQ(std::system(("mkfifo '" + directory_.string() + "/pipe.toml'").c_str()), 0);

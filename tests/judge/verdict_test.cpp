@@ -173,6 +173,18 @@ TEST(JudgementFiles, JUnitHasFailuresSkipsAndNoLooseAngles) {
   EXPECT_NE(text.find("&lt;x> &amp; &quot;y&quot;"), std::string::npos) << text;
   EXPECT_NE(text.find("a &lt; b"), std::string::npos) << text;
 }
+TEST(JudgementFiles, WhatWasJudgedBeforeAnInterruptIsMarked) {
+  Judgement j = judgement_of({{"engine", "x"}, {"cannot", "y"}});
+  j.command = "./mine";
+  const Json whole = verification::judgements_as_json({j}),
+             part = verification::judgements_as_json({j}, "1 of 57 cases");
+  EXPECT_EQ(whole[0]["command"], "./mine");
+  EXPECT_FALSE(whole[0].contains("partial"));
+  EXPECT_EQ(part[0]["partial"], "1 of 57 cases");
+  const std::string text = verification::judgements_as_junit({j}, "1 of 57 cases");
+  EXPECT_NE(text.find("errors=\"1\""), std::string::npos) << text;
+  EXPECT_NE(text.find("interrupted: 1 of 57 cases"), std::string::npos) << text;
+}
 
 }  // namespace
 }  // namespace furrow::test
