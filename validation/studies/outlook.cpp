@@ -36,10 +36,10 @@ void set_speed(Scene& scene, double speed) {
 // E and G together, so that nu stays. The bed settles by a step that falls as the period of a contact does.
 void set_stiffness(Scene& scene, double young) {
   Material& m = scene.material[0];
-  const double ratio = young / m.young;
+  const double ratio = young / m.young.value();
   scene.settle->step = scene.time.step * std::fmin(1, 1 / std::sqrt(ratio));
-  m.young *= ratio;
-  m.shear *= ratio;
+  m.young = young;
+  m.shear = ratio * m.shear.value();
 }
 
 // By rkc, which keeps an accuracy of a percent at any stiffness that these scenes come to; the paper's step is beyond
