@@ -20,6 +20,7 @@ add_custom_target(furrow_build_info
 # Text files that the program needs wherever it is installed. A file is known by its path in the project.
 file(GLOB embedded_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
   validation/figures/*.gp validation/page/*.html validation/page/*.css validation/page/*.js validation/scenes/*.toml validation/scenes/literal/*.toml
+  validation/scenes/best_reading/*.toml
   validation/statements.toml validation/sentences.toml validation/readings.toml verification/cases/*.toml verification/published/*.toml verification/faults.toml
   verification/engines/PROTOCOL.md)
 list(TRANSFORM embedded_files PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE embedded_paths)

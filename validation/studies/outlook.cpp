@@ -33,6 +33,15 @@ void set_speed(Scene& scene, double speed) {
   scene.time.end = way / speed;
 }
 
+// E and G together, so that nu stays. The bed settles by a step that falls as the period of a contact does.
+void set_stiffness(Scene& scene, double young) {
+  Material& m = scene.material[0];
+  const double ratio = young / m.young.value();
+  scene.settle->step = scene.time.step * std::fmin(1, 1 / std::sqrt(ratio));
+  m.young = young;
+  m.shear = ratio * m.shear.value();
+}
+
 // By rkc, which keeps an accuracy of a percent at any stiffness that these scenes come to; the paper's step is beyond
 // the limit of its own method already.
 Scene scene_of(const OutlookVariation& variation, double value, int packing) {
@@ -58,6 +67,25 @@ const std::vector<OutlookVariation>& outlook_variations() {
        10,
        [](Scene& s, double mm) { set_radius(s, 1e-3 * mm); }},
       {"Spread of the radii", "spread", "%", {0, 10, 20, 30}, 0, set_spread},
+      {"Young's modulus", "stiffness", "Pa", {1e5, 2e5, 2e6, 2e7}, 2e5, set_stiffness},
+      {"Damping factor",
+       "damping",
+       "-",
+       {1, 5, 10, 20, 40},
+       20,
+       [](Scene& s, double beta) { s.contact.damping_factor = beta; }},
+      {"Sliding friction",
+       "friction",
+       "-",
+       {0.1, 0.3, 0.5, 0.7},
+       0.5,
+       [](Scene& s, double mu) { s.contact.friction = mu; }},
+      {"Rolling friction",
+       "rolling",
+       "-",
+       {0.1, 0.3, 0.5, 0.7},
+       0.5,
+       [](Scene& s, double mu) { s.contact.rolling_friction = mu; }},
   };
   return all;
 }
@@ -78,6 +106,10 @@ void measure_outlook(Measurement& measurement) {
                          hash_of_observed(scene, "scenario_2")});
       }
     }
+  }
+  for (const bool rigid : {false, true}) {
+    for (int packing = 0; packing < tool_packings(measurement.quick()); ++packing)
+      tasks.push_back(tool_task(rigid, packing));
   }
   measurement.run(tasks);
 }

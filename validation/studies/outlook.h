@@ -1,5 +1,6 @@
-// What the paper leaves to further study, as far as two dimensions go: the speed of the plate, the size of the
-// particles and the spread of their sizes, each with some packings of its second scene.
+// What the paper leaves to further study, as far as two dimensions go: the speed of the plate, the size of the particles
+// and the spread of their sizes, stiffness, damping and friction, each with some packings of its second scene; and a
+// tool that bends against a rigid one.
 #pragma once
 
 #include <string>
@@ -20,6 +21,11 @@ const std::vector<OutlookVariation>& outlook_variations();
 
 int outlook_packings(bool quick);
 std::string outlook_key(const OutlookVariation& variation, double value, int packing);
+
+// A lattice drawn through the bed (scene deformable_tool), or a plate of its size in its place, over the same way.
+int tool_packings(bool quick);
+std::string tool_key(bool rigid, int packing);
+Task tool_task(bool rigid, int packing);  // mean_force, largest_force [N], fluctuation [-, deviation over mean], torn
 
 void measure_outlook(Measurement& measurement);
 

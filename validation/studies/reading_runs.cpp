@@ -19,11 +19,7 @@ std::vector<VariedKey> keys_of(const Alternative& alternative) {
 }
 
 std::string with_words(const std::string& run, const Interpretation& reading, const std::string& name) {
-  Interpretation concerned = reading;
-  for (std::size_t k = 0; k < reading.size(); ++k) {
-    if (!concerns(the_readings().choices[k], name)) concerned[k] = 0;
-  }
-  const std::string words = words_of(concerned);
+  const std::string words = words_of(concerning(reading, name));
   return run + (words.empty() ? "" : ": ") + words;
 }
 
@@ -64,6 +60,14 @@ bool concerns(const Choice& choice, const std::string& name) {
     place->second = made.size() > 1;
   }
   return place->second;
+}
+
+Interpretation concerning(const Interpretation& reading, const std::string& name) {
+  Interpretation concerned = reading;
+  for (std::size_t k = 0; k < reading.size(); ++k) {
+    if (!concerns(the_readings().choices[k], name)) concerned[k] = 0;
+  }
+  return concerned;
 }
 
 Scene read_as(const std::string& name, Scene scene, const Alternative& alternative) {

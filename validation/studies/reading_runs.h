@@ -18,6 +18,9 @@ Scene read_as(const std::string& name, Scene scene, const Alternative& alternati
 
 bool concerns(const Choice& choice, const std::string& name);  // whether a choice changes the scene at all
 
+// The reading with all literal that does not change the scene.
+Interpretation concerning(const Interpretation& reading, const std::string& name);
+
 Scene scene_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
 
 // What the scene says of the rows of its sentences. Readings that make one scene have one key.

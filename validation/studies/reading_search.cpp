@@ -5,33 +5,15 @@
 #include <set>
 #include <stdexcept>
 
+#include "validation/studies/once.h"
+
 namespace furrow::validation {
 namespace {
 
-// Each run once, whoever asks for it.
-class Once {
- public:
-  explicit Once(const RunTasks& run) : run_(run) {}
-  void make(const std::vector<Task>& tasks) {
-    std::vector<Task> wanted;
-    std::set<std::string> keys;
-    for (const Task& task : tasks) {
-      if (!known_.contains(task.key) && keys.insert(task.key).second) wanted.push_back(task);
-    }
-    const std::vector<Json> results = run_(wanted);
-    for (std::size_t k = 0; k < wanted.size(); ++k) known_[wanted[k].key] = results[k];
-  }
-  bool knows(const std::string& key) const { return known_.contains(key); }
-  const Json& of(const std::string& key) const { return known_.at(key); }
-
- private:
-  const RunTasks& run_;
-  std::map<std::string, Json> known_{};
-};
-
 class Search {
  public:
-  Search(const RunTasks& run, bool quick) : once_(run), quick_(quick) {
+  Search(const RunTasks& run, bool quick, SearchForm form) : once_(run), quick_(quick), form_(form) {
+    found_.form = form;
     found_.scenes = quick ? std::vector<std::string>{"scenario_1"}
                           : std::vector<std::string>{"scenario_1", "scenario_2", "scenario_3"};
   }
@@ -40,20 +22,25 @@ class Search {
     const std::size_t choices = the_readings().choices.size();
     try_all({Interpretation(choices, 0)});
     try_all(changed(Interpretation(choices, 0)));
+    if (form_ == SearchForm::second && !quick_) {
+      for (const auto& [by, reading] : the_readings().named) try_all({reading});
+    }
     found_.alone = found_.points.size() - 1;
     try_all(drawn());
     found_.random = found_.points.size() - 1 - found_.alone;
+    Pool unled;  // points that no misfit led to
+    for (const ReadPoint& point : found_.points) unled.insert(point.reading);
     const auto best = [&] { return found_.best(found_.scenes).reading; };
     for (int pass = 0; !quick_ && pass < the_readings().exchanges; ++pass) exchange(best);
     found_.exchanged = found_.points.size() - 1 - found_.alone - found_.random;
-    const auto best_valid = [&] { return valid_ones(1).front(); };
-    for (int pass = 0; !quick_ && pass < the_readings().valid_exchanges; ++pass) {
-      const Interpretation before = best_valid();
-      exchange(best_valid);
-      if (best_valid() == before) break;
-    }
+    exchange_valid([&] { return valid_ones(1).front(); });
+    found_.joint = found_.points.size();
     for (const std::string& out : found_.scenes) {
-      if (found_.scenes.size() > 1) found_.valid_without[out] = valid_ones(1, found_.others(out)).front();
+      if (found_.scenes.size() == 1) break;
+      if (form_ == SearchForm::first)
+        found_.valid_without[out] = valid_ones(1, found_.others(out), found_.scenes).front();
+      else
+        fit_without(out, unled);
     }
     judge_finalists();
     found_.untorn = untorn();
@@ -80,6 +67,8 @@ class Search {
     }
   }
 
+  bool known(const Alternative& alternative) const { return alternative.since <= static_cast<int>(form_); }
+
   bool matters(std::size_t choice) const {
     return std::any_of(found_.scenes.begin(), found_.scenes.end(),
                        [&](const std::string& s) { return concerns(the_readings().choices[choice], s); });
@@ -88,7 +77,8 @@ class Search {
   std::vector<Interpretation> changed_in(const Interpretation& from, std::size_t k) const {
     std::vector<Interpretation> all;
     for (int a = 0; a < std::ssize(the_readings().choices[k].alternatives); ++a) {
-      if (a == from[k] || !matters(k)) continue;
+      if (a == from[k] || !matters(k) || !known(the_readings().choices[k].alternatives[static_cast<std::size_t>(a)]))
+        continue;
       all.push_back(from);
       all.back()[k] = a;
     }
@@ -109,9 +99,14 @@ class Search {
     std::vector<Interpretation> all(static_cast<std::size_t>(quick_ ? 8 : the_readings().random));
     for (Interpretation& one : all) {
       for (const Choice& choice : the_readings().choices) {
+        if (choice.since() > static_cast<int>(form_)) {
+          one.push_back(0);
+          continue;
+        }
         std::vector<int> others;
         for (int a = 1; a < std::ssize(choice.alternatives); ++a) {
-          if (choice.alternatives[static_cast<std::size_t>(a)].drawn) others.push_back(a);
+          const Alternative& alternative = choice.alternatives[static_cast<std::size_t>(a)];
+          if (alternative.drawn && known(alternative)) others.push_back(a);
         }
         const bool literal = (random() >> 63) != 0;
         const std::uint64_t which = random();
@@ -121,14 +116,57 @@ class Search {
     return all;
   }
 
-  void exchange(const std::function<Interpretation()>& from) {
-    for (std::size_t k = 0; k < the_readings().choices.size(); ++k) try_all(changed_in(from(), k));
+  using Pool = std::set<Interpretation>;
+  using From = std::function<Interpretation()>;
+
+  void exchange_valid(const From& best_valid, Pool* pool = nullptr) {
+    for (int pass = 0; !quick_ && pass < the_readings().valid_exchanges; ++pass) {
+      const Interpretation before = best_valid();
+      exchange(best_valid, pool);
+      if (best_valid() == before) break;
+    }
   }
 
-  // From the least misfit of those scenes on.
-  std::vector<Interpretation> in_order(const std::vector<std::string>& scenes) const {
+  // Fitted as the winner is, on two scenes alone: from the points that no misfit led to, by exchanges of its own, and
+  // valid where the two are. Then judged by packings that did not choose it.
+  void fit_without(const std::string& out, Pool pool) {
+    const std::vector<std::string> in = found_.others(out);
+    const From best_valid = [&] { return valid_ones(1, in, in, &pool).front(); };
+    exchange_valid(best_valid, &pool);
+    Finalist& fitted = found_.fitted_without[out];
+    found_.valid_without[out] = fitted.reading = best_valid();
+    std::vector<Task> tasks;
+    const auto each = [&](const auto& what) {
+      for (const std::string& scene : found_.scenes) {
+        for (std::uint64_t p = 0; p < packings_of(scene); ++p) what(scene, p);
+      }
+    };
+    each(
+        [&](const std::string& s, std::uint64_t p) { tasks.push_back(task_of(s, fitted.reading, paper_step, 2 + p)); });
+    once_.make(tasks);
+    each([&](const std::string& s, std::uint64_t p) {
+      fitted.said[s].push_back(once_.of(key_of(s, fitted.reading, paper_step, 2 + p)));
+    });
+  }
+
+  std::uint64_t packings_of(const std::string& scene) const {
+    return quick_ || scene == "scenario_1" ? 1 : static_cast<std::uint64_t>(the_readings().packings);
+  }
+
+  void exchange(const From& from, Pool* pool = nullptr) {
+    for (std::size_t k = 0; k < the_readings().choices.size(); ++k) {
+      const std::vector<Interpretation> changed = changed_in(from(), k);
+      try_all(changed);
+      if (pool != nullptr) pool->insert(changed.begin(), changed.end());
+    }
+  }
+
+  // From the least misfit of those scenes on, of a pool or of all.
+  std::vector<Interpretation> in_order(const std::vector<std::string>& scenes, const Pool* pool = nullptr) const {
     std::vector<std::pair<double, const ReadPoint*>> order;
-    for (const ReadPoint& point : found_.points) order.emplace_back(point.misfit(scenes), &point);
+    for (const ReadPoint& point : found_.points) {
+      if (pool == nullptr || pool->contains(point.reading)) order.emplace_back(point.misfit(scenes), &point);
+    }
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Interpretation> all;
     for (const auto& [misfit, point] : order) all.push_back(point->reading);
@@ -136,23 +174,25 @@ class Search {
   }
 
   // Those of the least misfit that are valid in all scenes. The literal one is, so there is one at least.
-  std::vector<Interpretation> valid_ones(std::size_t count) { return valid_ones(count, found_.scenes); }
-  std::vector<Interpretation> valid_ones(std::size_t count, const std::vector<std::string>& scenes) {
+  std::vector<Interpretation> valid_ones(std::size_t count) { return valid_ones(count, found_.scenes, found_.scenes); }
+  // By the misfit of some scenes, and valid in those that are asked.
+  std::vector<Interpretation> valid_ones(std::size_t count, const std::vector<std::string>& scenes,
+                                         const std::vector<std::string>& asked, const Pool* pool = nullptr) {
     constexpr std::size_t at_a_time = 8;
     std::vector<Interpretation> valid;
-    const std::vector<Interpretation> order = in_order(scenes);
+    const std::vector<Interpretation> order = in_order(scenes, pool);
     for (std::size_t begin = 0; begin < order.size() && valid.size() < count; begin += at_a_time) {
       const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin);
       const std::vector<Interpretation> some(first, first + std::min<std::ptrdiff_t>(at_a_time, order.end() - first));
       std::vector<Task> tasks;
       for (const Interpretation& reading : some) {
-        for (const std::string& scene : found_.scenes) {
+        for (const std::string& scene : asked) {
           if (!once_.knows(watched_key(scene, reading, 1))) tasks.push_back(watched_task(scene, reading, 1));
         }
       }
       once_.make(tasks);
       for (const Interpretation& reading : some) {
-        const bool all = std::all_of(found_.scenes.begin(), found_.scenes.end(), [&](const std::string& scene) {
+        const bool all = std::all_of(asked.begin(), asked.end(), [&](const std::string& scene) {
           return is_valid(once_.of(watched_key(scene, reading, 1)));
         });
         if (all && valid.size() < count) valid.push_back(reading);
@@ -178,7 +218,6 @@ class Search {
   }
 
   void judge_finalists() {
-    const std::uint64_t packings = quick_ ? 1 : static_cast<std::uint64_t>(the_readings().packings);
     const auto step = [](bool fine) { return fine ? the_readings().fine_step : paper_step; };
     std::vector<Task> tasks;
     const std::vector<Interpretation> best = finalists();
@@ -186,7 +225,7 @@ class Search {
       for (const Interpretation& reading : best) {
         for (const std::string& scene : found_.scenes) {
           for (const bool fine : {false, true}) {
-            for (std::uint64_t p = 0; p < (scene == "scenario_1" ? 1 : packings); ++p) what(reading, scene, fine, p);
+            for (std::uint64_t p = 0; p < packings_of(scene); ++p) what(reading, scene, fine, p);
           }
         }
       }
@@ -215,37 +254,29 @@ class Search {
 
   Once once_;
   bool quick_;
+  SearchForm form_;
   ReadingsFound found_{};
   std::set<Interpretation> tried_{};
 };
 
 }  // namespace
 
-int Finalist::valid_runs() const {
-  std::ptrdiff_t count = 0;
-  for (const auto& [scene, runs] : watched) count += std::count_if(runs.begin(), runs.end(), is_valid);
-  return static_cast<int>(count);
+ReadingsFound search_readings(const RunTasks& run, bool quick, SearchForm form) {
+  return Search(run, quick, form).all();
 }
 
-const ReadPoint& ReadingsFound::at(const Interpretation& reading) const {
-  const auto found =
-      std::find_if(points.begin(), points.end(), [&](const ReadPoint& p) { return p.reading == reading; });
-  if (found == points.end()) throw std::out_of_range("the search did not try " + words_of(reading));
-  return *found;
+ReadingsFound kept_search(const Numbers& numbers) {
+  const auto kept = [&](const std::vector<Task>& tasks) {
+    std::vector<Json> values;
+    for (const Task& task : tasks) values.push_back(numbers.at(task.key));
+    return values;
+  };
+  try {
+    return search_readings(kept, numbers.quick(), SearchForm::second);
+  } catch (const std::out_of_range&) {
+    return search_readings(kept, numbers.quick(), SearchForm::first);
+  }
 }
-
-std::vector<std::string> ReadingsFound::others(const std::string& out) const {
-  std::vector<std::string> in;
-  std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(in), [&](const std::string& s) { return s != out; });
-  return in;
-}
-
-const ReadPoint& ReadingsFound::best(const std::vector<std::string>& of) const {
-  return *std::min_element(points.begin(), points.end(),
-                           [&](const ReadPoint& a, const ReadPoint& b) { return a.misfit(of) < b.misfit(of); });
-}
-
-ReadingsFound search_readings(const RunTasks& run, bool quick) { return Search(run, quick).all(); }
 
 void measure_readings(Measurement& measurement) {
   search_readings([&](const std::vector<Task>& tasks) { return measurement.run(tasks); }, measurement.quick());

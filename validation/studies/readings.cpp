@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "report/embedded.h"
@@ -35,7 +36,23 @@ Alternative alternative_of(const toml::table& table) {
   Alternative a{text_in(table, "name"), text_in(table, "reason"), {}};
   for (const toml::node& set : list_in(table, "set")) a.set.push_back(set.value_or(std::string()));
   a.drawn = table["drawn"].value_or(true);
+  a.since = table["since"].value_or(1);
   return a;
+}
+
+// Of a table with an alternative's name for each choice that is not literal.
+Interpretation named_in(const toml::table& table, const std::vector<Choice>& choices) {
+  Interpretation reading(choices.size(), 0);
+  for (const auto& [id, name] : table) {
+    const auto choice = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.id == id.str(); });
+    if (choice == choices.end()) throw std::runtime_error(std::string(file) + ": no choice " + std::string(id.str()));
+    const auto& all = choice->alternatives;
+    const auto one = std::find_if(all.begin(), all.end(),
+                                  [&](const Alternative& a) { return a.name == name.value_or(std::string()); });
+    if (one == all.end()) throw std::runtime_error(std::string(file) + ": no such alternative of " + choice->id);
+    reading[static_cast<std::size_t>(choice - choices.begin())] = static_cast<int>(one - all.begin());
+  }
+  return reading;
 }
 
 }  // namespace
@@ -57,6 +74,10 @@ const Readings& the_readings() {
       readings.choices.push_back({text_in(table, "id"), text_in(table, "open"), {}});
       for (const toml::node& one : list_in(table, "alternative"))
         readings.choices.back().alternatives.push_back(alternative_of(*one.as_table()));
+    }
+    for (const toml::node& node : list_in(root, "point")) {
+      const toml::table& table = *node.as_table();
+      readings.named.emplace_back(text_in(table, "by"), named_in(*table["reading"].as_table(), readings.choices));
     }
     for (const toml::node& node : list_in(root, "unsearched"))
       readings.unsearched.emplace_back(text_in(*node.as_table(), "open"), text_in(*node.as_table(), "why"));

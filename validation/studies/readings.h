@@ -12,24 +12,28 @@ struct Alternative {
   std::string name, reason;
   std::vector<std::string> set;  // "KEY=VALUE", "SCENE:KEY=VALUE"
   bool drawn = true;             // false: costs too much to be drawn at random
+  int since = 1;                 // the first search that knows it
 };
 
 struct Choice {
   std::string id, open;
   std::vector<Alternative> alternatives;  // the first is the literal one
+  int since() const { return alternatives.size() > 1 ? alternatives[1].since : 1; }
 };
+
+// An alternative of each choice, by its place.
+using Interpretation = std::vector<int>;
 
 struct Readings {
   std::vector<Choice> choices;
   std::vector<std::pair<std::string, std::string>> unsearched;  // what, why
+  std::vector<std::pair<std::string, Interpretation>> named;    // points that others have found: by whom, which
   int random = 0, exchanges = 0, valid_exchanges = 0, finalists = 0, packings = 0;
   double fine_step = 0;  // s
   std::uint64_t seed = 1;
 };
 const Readings& the_readings();
 
-// An alternative of each choice, by its place.
-using Interpretation = std::vector<int>;
 std::string words_of(const Interpretation& reading);  // what is not literal: "box 0.54 m, damping alpha = 20"
 
 }  // namespace furrow::validation

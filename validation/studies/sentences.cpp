@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "report/embedded.h"
@@ -68,8 +69,12 @@ std::vector<Sentence> read_sentences(std::string_view text, const std::vector<St
   const toml::table root = toml::parse(text);
   for (const toml::node& node : *root["sentence"].as_array()) {
     const toml::table& entry = *node.as_table();
-    Sentence s{
-        text_in(entry, "text"), text_in(entry, "where"), text_in(entry, "against"), text_in(entry, "untested"), {}};
+    Sentence s{text_in(entry, "text"),
+               text_in(entry, "where"),
+               text_in(entry, "against"),
+               text_in(entry, "untested"),
+               {},
+               entry["judged_only"].value_or(false)};
     for (const toml::node& row : *entry["rows"].as_array()) s.rows.push_back(row.value_or(std::string()));
     std::vector<std::string> named = s.rows;
     if (!s.against.empty()) named.push_back(s.against);
@@ -104,6 +109,31 @@ const Statement& row_named(const std::string& id) {
   return *found;
 }
 
+bool is_judged_only(const Statement& row) {
+  static const std::set<std::string> ids = [] {
+    std::set<std::string> all;
+    const toml::table root = toml::parse(embedded(file));
+    for (const toml::node& id : *root["judged_only"].as_array()) all.insert(id.value_or(std::string()));
+    return all;
+  }();
+  return ids.contains(row.id);
+}
+
+const Statement& as_stated(const Statement& row) {
+  static const std::map<std::string, Statement> stated = [] {
+    std::map<std::string, Statement> all;
+    const toml::table root = toml::parse(embedded(file));
+    for (const auto& [id, range] : *root["stated"].as_table()) {
+      Statement& one = all[std::string(id.str())] = row_named(std::string(id.str()));
+      one.holds =
+          Range{range.as_array()->at(0).value<double>().value(), range.as_array()->at(1).value<double>().value()};
+    }
+    return all;
+  }();
+  const auto found = stated.find(row.id);
+  return found == stated.end() ? row : found->second;
+}
+
 Json observed_rows(const Scene& made, const std::string& scene) {
   Prepared prepared = prepare(made);
   const Timing time = prepared.scene.time;
@@ -111,7 +141,7 @@ Json observed_rows(const Scene& made, const std::string& scene) {
   Json values = Json::object();
   if (!run.finished()) values["failed"] = run.fact("reason")->texts.at(0);
   for (const Statement& s : the_rows()) {
-    if (s.scene != scene || (!run.finished() && s.observable != "finished")) continue;
+    if (s.scene != scene || is_judged_only(s) || (!run.finished() && s.observable != "finished")) continue;
     const Measured ours = measure(run, s.observable, s.window);
     if (std::isfinite(ours.value)) {
       values[s.id] = to_digits(ours.value, 5);
@@ -125,7 +155,7 @@ Json observed_rows(const Scene& made, const std::string& scene) {
 std::string hash_of_observed_rows(const Scene& made, const std::string& scene) {
   std::string asked;
   for (const Statement& s : the_rows()) {
-    if (s.scene != scene) continue;
+    if (s.scene != scene || is_judged_only(s)) continue;
     asked += s.id + " " + s.observable;
     if (s.window) asked += " " + std::to_string((*s.window)[0]) + " " + std::to_string((*s.window)[1]);
     asked += "\n";
@@ -133,7 +163,8 @@ std::string hash_of_observed_rows(const Scene& made, const std::string& scene) {
   return hash_of(hash_of_scene(made) + "\n" + asked);
 }
 
-double row_misfit(const Statement& row, const Json& said) {
+double row_misfit(const Statement& judged, const Json& said) {
+  const Statement& row = as_stated(judged);
   if (!said.contains(row.id)) return 1;
   const Json& value = said.at(row.id);
   if (value.is_string()) return value == row.expect ? 0 : 1;
@@ -145,9 +176,11 @@ double row_misfit(const Statement& row, const Json& said) {
 double misfit_of(const std::map<std::string, Json>& said, const std::vector<std::string>& scenes) {
   double sum = 0, count = 0;
   for (const Sentence& sentence : the_sentences()) {
+    if (sentence.judged_only) continue;
     double rows = 0, misfit = 0;
     for (const std::string& id : sentence.rows) {
       const Statement& row = row_named(id);
+      if (is_judged_only(row)) continue;
       if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) continue;
       rows += 1;
       misfit += row_misfit(row, said.at(row.scene));
@@ -169,18 +202,22 @@ std::string row_verdict(const Statement& row, const std::vector<Json>& said, con
   return rank_of(here) >= least && rank_of(there) < least ? "only at this step" : here;
 }
 
-std::string sentence_verdict(const Sentence& sentence, const std::map<std::string, std::string>& verdicts) {
+std::string rows_verdict(const Sentence& sentence, const std::map<std::string, std::string>& verdicts) {
   if (sentence.rows.empty()) return "not testable";
-  if (!sentence.against.empty()) {
-    for (const std::string& id : sentence.rows) {
-      if (cannot_both_hold(row_named(id), row_named(sentence.against))) return "contradicted by the paper itself";
-    }
-  }
   std::string worst = "reproduced";
   for (const std::string& id : sentence.rows) {
     if (rank_of(verdicts.at(id)) < rank_of(worst)) worst = verdicts.at(id);
   }
   return worst;
+}
+
+std::string sentence_verdict(const Sentence& sentence, const std::map<std::string, std::string>& verdicts) {
+  if (!sentence.against.empty()) {
+    for (const std::string& id : sentence.rows) {
+      if (cannot_both_hold(row_named(id), row_named(sentence.against))) return "contradicted by the paper itself";
+    }
+  }
+  return rows_verdict(sentence, verdicts);
 }
 
 }  // namespace furrow::validation

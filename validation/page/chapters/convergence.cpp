@@ -7,6 +7,7 @@
 
 #include "output/files.h"
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/convergence_energy.h"
 #include "validation/page/chapters/convergence_headline.h"
 #include "validation/page/chapters/convergence_settled.h"
 
@@ -53,7 +54,7 @@ Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& pl
   head.emplace_back("settled from");
   std::vector<std::vector<Json>> rows;
   Tally tally;
-  for (const Row& row : rows_of(c.scene)) {
+  for (const Row& row : rows_of(c.of_paper())) {
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, row.id);
     if (!std::isfinite(finest) && !failed(results, {c, "pece", plan.steps.back()})) continue;  // said in words
     std::vector<Json> cells{row.quantity, std::isfinite(row.paper) ? Json(row.paper) : Json("")};
@@ -120,12 +121,18 @@ Report convergence(const Shelf& shelf) {
   Tally all;
   std::map<std::string, Tally> by_reading;
   std::vector<ConvergedForce> found;
+  std::string missing;
+  std::vector<StepsOfCase> by_step;
   for (const ConvergenceCase& c : plan.cases) {
-    const std::string id = largest_force_of(c.scene);
+    if (!measured(results, plan, c)) {
+      missing += (missing.empty() ? "" : "; ") + c.title();
+      continue;
+    }
+    const std::string id = largest_force_of(c.of_paper());
     const double at_papers = value_in(results, {c, "pece", papers_step}, id);
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
     const double settled = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
-    found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), !std::isnan(settled)});
+    if (!c.best()) found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), !std::isnan(settled)});
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
@@ -133,12 +140,18 @@ Report convergence(const Shelf& shelf) {
                                    : ": diverges at the paper's step."));
     }
     const Tally tally = add_case(details, results, plan, c);
+    by_step.push_back({c, forces_by_step(results, plan, c, id), in_plain_words(c.title(), tally)});
+    if (c.best()) {  // the headline and its counts are of the literal reading
+      by_reading["The best valid reading of the search"].add(tally);
+      continue;
+    }
     all.add(tally);
     by_reading[c.scene == "scenario_1" ? "Scene 1" : "Scenes 2 and 3, " + to_string(c.reading) + "s"].add(tally);
-    blocks["forces_" + c.scene.substr(9) + "_" + to_string(c.reading)] =
-        forces_by_step(results, plan, c, largest_force_of(c.scene));
+    blocks["forces_" + c.scene.substr(9) + "_" + to_string(c.reading)] = by_step.back().forces;
   }
   for (const auto& [reading, tally] : by_reading) report.text(in_plain_words(reading, tally));
+  if (!missing.empty())
+    report.text("Not in the kept numbers, which are of an earlier form of this study: " + missing + ".");
   if (!results.quick()) {
     add_headline(report, found, {all.at_papers_step, all.numbers}, text_of(plan.steps.back()));
     report.figure(
@@ -152,6 +165,7 @@ Report convergence(const Shelf& shelf) {
          .description = "Largest force on the plate against the time step for each scene and reading of the mass",
          .blocks = blocks});
   }
+  add_energy(report, results, plan, by_step);
   report.append(details);
   return report;
 }

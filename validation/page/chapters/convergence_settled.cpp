@@ -10,6 +10,18 @@ constexpr double agreement = 0.02;  // of a number: what "the same" means where 
 
 }  // namespace
 
+bool measured(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c) {
+  const std::vector<ConvergenceRun> runs = plan.runs();
+  return std::all_of(runs.begin(), runs.end(), [&](const ConvergenceRun& one) {
+    return one.of.name() != c.name() || results.find(one.key()) != nullptr;
+  });
+}
+
+double energy_made(const Numbers& results, const ConvergenceRun& one) {
+  const Result* booked = results.find(one.energy_key());
+  return booked == nullptr || booked->failed() ? NAN : booked->value.at("made").get<double>();
+}
+
 bool failed(const Numbers& results, const ConvergenceRun& one) {
   const Json& got = results.at(one.key());
   return !got.contains("values") || got["ended"] != "finished";

@@ -8,6 +8,13 @@
 
 namespace furrow::validation {
 
+// Whether the study has all runs of the case; those of a later form are not in one that was kept before.
+bool measured(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c);
+
+// Energy that the method or a law made, as a share of what the scene was given; NaN where the run diverged, or where
+// the study is of a form that did not book it.
+double energy_made(const Numbers& results, const ConvergenceRun& one);
+
 bool failed(const Numbers& results, const ConvergenceRun& one);
 
 // NaN where the run did not get to the end, or does not say.

@@ -3,36 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "validation/page/chapters/chapters.h"
-#include "validation/studies/members.h"
+#include "validation/page/chapters/outlook_parts.h"
 
 namespace furrow::validation {
 namespace {
-
-constexpr double students_t = 2.2;  // 97.5 % quantile, 11 degrees of freedom
-
-struct Estimate {
-  double mean = NAN, half = NAN;  // half the 95 % interval
-  Estimate(const std::string& id, const std::vector<Json>& members) {
-    const Sample sample = sample_of(id, members);
-    if (sample.numbers.size() < 2) return;
-    mean = sample.mean();
-    half = students_t * sample.deviation() / std::sqrt(static_cast<double>(sample.numbers.size()));
-  }
-  // Both to the same decimal, the second of the half interval.
-  std::string text() const {
-    if (std::isnan(mean)) return "–";
-    const int decimals = half > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(half)))) : 0;
-    const auto to = [&](double value) {
-      char digits[32];
-      std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
-      return std::string(digits);
-    };
-    return half > 0 ? to(mean) + " ± " + to(half) : to(mean);
-  }
-};
 
 const std::vector<std::pair<const char*, const char*>> shown{{"mean_force", "mean force [N]"},
                                                              {"largest_force_discs", "largest force [N]"},
@@ -69,12 +45,17 @@ Report outlook(const Shelf& shelf) {
   const Numbers& numbers = shelf.of("outlook");
   const int members = outlook_packings(numbers.quick());
   Report report("Speed of the plate, size of the particles",
-                "The paper leaves the effect of speed and of sizes of particles to later. What do they do to the force "
-                "in its second scene?");
+                "The paper leaves the effect of speed and of sizes of particles to later, and its parameters to "
+                "calibration. What do they do to the force in its second scene, and what does a tool that bends?");
   Json blocks = Json::object();
   std::size_t failed = 0;
   std::string why;
+  std::string missing;
   for (const OutlookVariation& variation : outlook_variations()) {
+    if (!measured(numbers, variation)) {
+      missing += (missing.empty() ? "" : ", ") + variation.what;
+      continue;
+    }
     std::vector<std::string> head{variation.what + " [" + variation.unit + "]"};
     for (const auto& [id, title] : shown) head.emplace_back(title);
     std::vector<std::vector<Json>> rows;
@@ -109,6 +90,10 @@ Report outlook(const Shelf& shelf) {
                    .description = "Force on the plate against its speed, the radius of particles and their spread",
                    .blocks = blocks});
   }
+  if (!missing.empty())
+    report.text("Not in the kept numbers, which are of an earlier form of this study: " + missing + ".");
+  add_sensitivity(report, numbers);
+  add_tools(report, numbers);
   report.claim("Every run came to its end." +
                    (failed == 0 ? "" : " " + std::to_string(failed) + " did not; the first: " + why + "."),
                failed == 0);

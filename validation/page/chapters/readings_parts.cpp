@@ -6,6 +6,7 @@
 #include "output/files.h"
 #include "scene/read.h"
 #include "scene/wording.h"
+#include "validation/page/chapters/readings_rows.h"
 #include "validation/studies/observed_run.h"
 
 namespace furrow::validation {
@@ -42,17 +43,19 @@ bool among(const std::vector<std::string>& scenes, const std::string& scene) {
 
 }  // namespace
 
-Judgement judge(const Finalist& finalist, const std::vector<std::string>& scenes) {
+Judgement judge(const Finalist& finalist, const ReadingsFound& found) {
   Judgement judged;
   for (const Statement& row : the_rows())
-    judged.rows[row.id] = among(scenes, row.scene)
-                              ? row_verdict(row, finalist.said.at(row.scene), finalist.finer.at(row.scene))
-                              : "not testable";
+    judged.rows[row.id] =
+        row_verdict(row, runs_of(row, finalist, found, AtStep::papers), runs_of(row, finalist, found, AtStep::finer));
   for (const Statement& row : the_paper().statements)
     judged.older_reproduced += judged.rows[row.id] == "reproduced" ? 1 : 0;
-  for (const Sentence& sentence : the_sentences()) judged.sentences.push_back(sentence_verdict(sentence, judged.rows));
-  judged.misfit = mean_misfit(finalist.said, scenes);
-  judged.finer_misfit = mean_misfit(finalist.finer, scenes);
+  for (const Sentence& sentence : the_sentences()) {
+    judged.sentences.push_back(sentence_verdict(sentence, judged.rows));
+    judged.by_rows.push_back(rows_verdict(sentence, judged.rows));
+  }
+  judged.misfit = mean_misfit(finalist.said, found.scenes);
+  judged.finer_misfit = mean_misfit(finalist.finer, found.scenes);
   return judged;
 }
 
@@ -68,7 +71,8 @@ int watched_runs(const ReadingsFound& found) {
   return static_cast<int>(count);
 }
 
-bool is_of_the_scene_files(const Interpretation& reading, const std::vector<std::string>& scenes) {
+bool is_of_the_scene_files(const Interpretation& reading, const std::vector<std::string>& scenes,
+                           const std::string& in) {
   const auto bare = [](Scene scene) {
     scene.title.clear();
     scene.allow.reset();
@@ -76,7 +80,7 @@ bool is_of_the_scene_files(const Interpretation& reading, const std::vector<std:
     return canonical_text(scene);
   };
   return std::all_of(scenes.begin(), scenes.end(), [&](const std::string& name) {
-    return bare(scene_of(name, reading, paper_step, 1)) == bare(scene_named(name));
+    return bare(scene_of(name, reading, paper_step, 1)) == bare(scene_named(in + name));
   });
 }
 
@@ -133,11 +137,9 @@ std::string said_in(const Json& said, const std::string& id) {
   return said[id].is_string() ? said[id].get<std::string>() : three_digits(said[id]);
 }
 
-std::string said_of(const Finalist& finalist, const std::string& id) {
+std::string said_of(const Finalist& finalist, const ReadingsFound& found, const std::string& id) {
   const Statement& row = row_named(id);
-  const auto runs = finalist.said.find(row.scene);
-  if (runs == finalist.said.end()) return "–";
-  const Sample sample = sample_of(id, runs->second);
+  const Sample sample = sample_of(id, runs_of(row, finalist, found, AtStep::papers));
   if (sample.numbers.empty()) return sample.words.empty() ? "–" : sample.words.front();
   return three_digits(sample.quantile(0.5)) + (row.unit.empty() ? "" : " " + row.unit);
 }

@@ -66,13 +66,7 @@ Reasons::Reasons(const Shelf& shelf) : convergence_(whole(shelf, "convergence"))
   const Numbers* readings = whole(shelf, "readings");
   if (readings == nullptr) return;
   try {
-    found_ = search_readings(
-        [readings](const std::vector<Task>& tasks) {
-          std::vector<Json> values;
-          for (const Task& task : tasks) values.push_back(readings->at(task.key));
-          return values;
-        },
-        false);
+    found_ = kept_search(*readings);
   } catch (const std::out_of_range&) {  // of another search
   }
 }
