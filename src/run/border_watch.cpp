@@ -52,7 +52,7 @@ struct StandingBorder {
                               [this](const Standing& one, double bound) { return low(one.box, upright) < bound; });
     for (; s != segments.end() && low(s->box, upright) <= place + reach; ++s) {
       if (!s->box.holds(p, reach)) continue;
-      if (nearest_on_segment(p, s->a, s->b, 0, false).distance2 <= reach * reach) visit(s->segment);
+      if (nearest_on_segment(p, s->a, s->b, 0).distance2 <= reach * reach) visit(s->segment);
     }
   }
 };
