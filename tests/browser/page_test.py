@@ -3,6 +3,7 @@
 
 page_test.py REPORT ARTEFACTS: the directory of the page, and where the pictures go. AXE names axe.min.js; without it the
 accessibility tests are skipped. Without a browser all is skipped, with exit code 77."""
+import base64
 import os
 import pathlib
 import re
@@ -14,6 +15,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import browser  # noqa: E402
 
 WIDE, PHONE = (1400, 900), (390, 844)
+LONGEST = 450  # characters of a cell: why a statement is not reproduced takes up to 437
+HIGHEST = 115e3  # px of the page at WIDE: 100,438 measured; 130,015 with the hashes of files that run.json lists
 REPORT, ARTEFACTS = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
 AXE = os.environ.get("AXE", "")
 
@@ -56,6 +59,11 @@ class Page(unittest.TestCase):
             place = b.run(f"(r => r && [r.top, r.height])(document.querySelector('{what}')?.getBoundingClientRect())")
             self.assertTrue(place and place[1] > 0, what)
             self.assertLess(place[0], WIDE[1], f"{what} is below the first screen")
+        for what in ("#tile_right", "#tile_accurate", "#tile_breaks", "#tile_fast", "#tile_engines", "#tile_paper", "#failing h2"):
+            bottom = b.run(f"document.querySelector('{what}')?.getBoundingClientRect().bottom")
+            self.assertLess(bottom or 0, WIDE[1], f"{what} is cut by the first screen")
+        if b.run("!!document.querySelector('#failing li')"):
+            self.assertLess(b.run("document.querySelector('#failing li').getBoundingClientRect().top") + 20, WIDE[1], "the first that does not hold")
         self.assertRegex(b.run("document.querySelector('#verdict').textContent"), r"[\d,]+ checks of \d+ requirements: \d+ failed")
         self.assertRegex(b.run("document.querySelector('#made_at').dateTime"), r"^\d{4}-\d\d-\d\dT")
 
@@ -75,9 +83,21 @@ class Page(unittest.TestCase):
         self.assertEqual(re.findall(r'<(?:link|script|img|iframe)[^>]* (?:src|href)=', text), [])
 
     def test_it_is_painted_at_once(self):
-        first = min(self.open().wait("performance.getEntriesByName('first-contentful-paint')[0]?.startTime") for _ in range(5))
-        print(f"first paint after {first:.0f} ms, the best of five")
-        self.assertLess(first, 1000, "the aim is 300 ms on an idle machine; this one may be busy")
+        first = min(self.open().wait("performance.getEntriesByName('first-contentful-paint')[0]?.startTime") for _ in range(3))
+        print(f"first paint after {first:.0f} ms of wall clock, the best of three; it is the work that is judged, since machines may be busy")
+        b = self.open()
+        b.call("Performance.enable", timeDomain="threadTicks")
+        work = []
+        for _ in range(3):
+            b.call("Page.navigate", url="about:blank")
+            took = lambda: {m["name"]: m["value"] for m in b.call("Performance.getMetrics")["metrics"]}["TaskDuration"]
+            before = took()
+            b.call("Page.navigate", url=(REPORT / "index.html").as_uri())
+            b.wait("performance.getEntriesByName('first-contentful-paint')[0]?.startTime")
+            work.append(took() - before)
+        b.call("Performance.disable")
+        print(f"work of the main thread up to the first paint: {min(work):.3f} s of CPU time")
+        self.assertLess(min(work), 0.3, "s of CPU time of the main thread up to the first paint")
 
     def test_every_link_within_the_page_leads_somewhere(self):
         b = self.open()
@@ -109,6 +129,47 @@ class Page(unittest.TestCase):
         self.assertEqual(b.run("document.documentElement.classList.contains('scripted')"), False)
         self.assertGreater(b.run("document.querySelectorAll('#scenario_3 .panels svg').length"), 3)
         self.assertGreater(b.run("document.querySelectorAll('#checks summary').length"), 20)
+
+    def test_no_table_is_a_dump(self):
+        b = self.open()
+        b.run("for (const s of document.querySelectorAll('main section')) s.style.contentVisibility = 'visible'")
+        self.assertEqual(b.run(f"[...document.querySelectorAll('main td')].filter(c => c.textContent.length > {LONGEST}).map(c => c.closest('table').id + ': ' + c.textContent.length)"), [])
+        runs = b.run("document.querySelector('#table_runs').offsetHeight")
+        self.assertLess(runs, 2000, "the table of the runs is two screens at most")
+        height = b.run("document.querySelector('main').scrollHeight")
+        print(f"the page is {height} px high")
+        self.assertLess(height, HIGHEST)
+        self.assertEqual(b.run("[...document.querySelectorAll('#table_runs tbody a')].length"), b.run("document.querySelectorAll('#table_runs thead th').length") - 1)
+
+    def test_statements_and_requirements_have_links_of_their_own(self):
+        b = self.open()
+        if not b.run("!!document.querySelector('#study_statements')"):
+            self.skipTest("the page was made without studies")
+        b.scripts(False)  # what is cited is there without a script
+        b.open((REPORT / "index.html").as_uri())
+        b.scripts(True)
+        rows = "[...document.querySelectorAll('#study_statements table')][0].querySelectorAll('tbody tr')"
+        self.assertGreater(b.run(rows + ".length"), 60)
+        self.assertTrue(b.run(f"[...{rows}].every(r => r.id.startsWith('statement_'))"))
+        self.assertTrue(b.run(f"[...{rows}].every(r => r.querySelector('a[href^=\"#\"]') && r.querySelector('a[href=\"statements.toml\"]'))"))
+        if b.run("!!document.querySelector('#checks details')"):
+            said = int(b.run("document.querySelector('#verdict').textContent.match(/of ([\\d,]+) requirements/)[1].replace(',', '')"))
+            self.assertEqual(b.run("document.querySelectorAll('tr[id^=\"requirement_\"]').length"), said)
+
+    def test_drawings_are_whole_and_say_what_they_show(self):
+        b, cut = self.open(), {}
+        files = sorted(REPORT.glob("*.svg"))
+        self.assertGreater(len(files), 10)
+        for file in files:
+            text = file.read_text()
+            self.assertNotRegex(text, "(?i)<title>gnuplot|gnuplot_plot_", file.name)
+            b.open(file.as_uri())
+            outside = b.run("""(box => [...document.querySelectorAll('text')].filter(t => t.textContent.trim() && (r => r.left < box.left - 0.5 ||
+                r.right > box.right + 0.5 || r.top < box.top - 0.5 || r.bottom > box.bottom + 0.5)(t.getBoundingClientRect())).map(t => t.textContent.trim()))(
+                document.documentElement.getBoundingClientRect())""")
+            if outside:
+                cut[file.name] = outside
+        self.assertEqual(cut, {})
 
     # ---- the players ----
 
@@ -293,6 +354,16 @@ class Page(unittest.TestCase):
         b.run("document.querySelector('#contents_button').click()")
         self.assertTrue(b.run("document.querySelector('#contents_list').offsetHeight > 100"))
 
+    def test_words_of_figures_can_be_read_on_a_phone(self):
+        b = self.open(PHONE)
+        b.run("for (const s of document.querySelectorAll('main section')) s.style.contentVisibility = 'visible'")
+        small = b.run("""[...document.querySelectorAll('.plot > svg')].filter(s => s.getBoundingClientRect().width).flatMap(s => {
+            const scale = s.getBoundingClientRect().width / s.viewBox.baseVal.width;
+            const least = Math.min(...[...s.querySelectorAll('text')].map(t => parseFloat(getComputedStyle(t).fontSize) * scale));
+            return least < 9 ? [(s.closest('figure[id]') || s.parentNode).id + ': ' + least.toFixed(1) + ' px'] : [];
+        })""")
+        self.assertEqual(small, [])
+
     def test_dark_is_dark_and_paper_is_white(self):
         ground = "getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number)[0]"
         b = self.open(scheme="dark")
@@ -316,6 +387,21 @@ class Page(unittest.TestCase):
 
     def test_axe_finds_nothing_on_a_phone(self):
         self.assert_accessible(PHONE)
+
+
+    # ---- pictures to look at ----
+
+    def test_pictures_of_every_part_are_kept(self):
+        for name, size, scheme in (("wide", WIDE, "light"), ("phone", PHONE, "light"), ("dark", WIDE, "dark")):
+            b = self.open(size, scheme=scheme)
+            b.run("for (const s of document.querySelectorAll('main section')) s.style.contentVisibility = 'visible'")
+            for part in b.run("[...document.querySelectorAll('section.part')].map(p => p.id)"):
+                b.run(f"document.getElementById('{part}').scrollIntoView(); new Promise(f => setTimeout(f, 150))")
+                self.picture(f"{name}_{part}")
+        b = self.open()
+        paper = base64.b64decode(b.call("Page.printToPDF", preferCSSPageSize=True, printBackground=True)["data"])
+        (ARTEFACTS / "print.pdf").write_bytes(paper)
+        self.assertTrue(paper.startswith(b"%PDF"))
 
 
 if __name__ == "__main__":
