@@ -31,9 +31,9 @@ std::string requirements_table(const nlohmann::ordered_json& checks, Page& page)
     std::string pages;
     for (const std::string& suite : one.suites)
       pages += (pages.empty() ? "" : ", ") + ("<a href=\"#checks_" + suite + "\">" + suite + "</a>");
-    rows += "<tr id=\"" + page.id("requirement " + words) + "\">" + element("td", "<code>" + escaped(words) + "</code>") +
-            element("td", std::to_string(one.checks), "number") + element("td", std::to_string(one.failed), "number") +
-            element("td", pages) + "</tr>\n";
+    rows += "<tr id=\"" + page.id("requirement " + words) + "\">" +
+            element("td", "<code>" + escaped(words) + "</code>") + element("td", std::to_string(one.checks), "number") +
+            element("td", std::to_string(one.failed), "number") + element("td", pages) + "</tr>\n";
   }
   return "<details class=\"unfold\"><summary>The " + std::to_string(all.size()) + " requirements</summary>" +
          framed({page.id("table requirements"), "What is required, and the checks that bear it out.", "Requirements",

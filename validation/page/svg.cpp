@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "validation/page/gnuplot.h"
-#include "validation/page/svg_path.h"
 #include "validation/page/svg_file.h"
+#include "validation/page/svg_path.h"
 #include "validation/page/svg_tree.h"
 
 namespace furrow::validation {
