@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "report/seal.h"
+#include "report/study.h"
 #include "run/observe.h"
 #include "run/prepare.h"
 #include "run/run.h"
