@@ -155,6 +155,14 @@ OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, Ending e
   ++being_written;
 }
 
+void begin_appending(const fs::path& file) {
+  tell(file, -1);
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, permissions);
+  if (descriptor < 0) fail("cannot write ", file, errno);
+  tell(file, descriptor);
+  ::close(descriptor);
+}
+
 FileWatcher::FileWatcher() {
   const std::scoped_lock lock(watchers_mutex);
   watchers.push_back(this);

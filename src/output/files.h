@@ -128,6 +128,10 @@ class FileWatcher {
   virtual void made(const std::filesystem::path& file, int descriptor) = 0;
 };
 
+// Makes the file if it is not there, and tells the watchers: for a file that lines are added to without an OutputFile. Throws
+// FileError.
+void begin_appending(const std::filesystem::path& file);
+
 // Number of files being written now, in all threads; may be asked in a signal handler.
 int files_being_written();
 

@@ -46,9 +46,9 @@ TEST_F(Explain, SaysHowAPlateReachesItsSpeed) {
 title = "Plates"
 time = { end = 0.1, step = 1e-4 }
 material = [{ name = "soft", young = 1e6, poisson = 0.25 }]
-plate = [{ name = "sudden", left_edge = 0.0, lower_edge = 0.0, velocity = [0.1, 0.0], material = "soft" },
-         { name = "slow", left_edge = 1.0, lower_edge = 0.0, velocity = [0.1, 0.0], ramp = 0.2, material = "soft" },
-         { name = "still", left_edge = 2.0, lower_edge = 0.0, material = "soft" }]
+plate = [{ name = "sudden", left_edge = 0.0, lower_edge = 0.0, width = 0.1, height = 0.1, velocity = [0.1, 0.0], material = "soft" },
+         { name = "slow", left_edge = 1.0, lower_edge = 0.0, width = 0.1, height = 0.1, velocity = [0.1, 0.0], ramp = 0.2, material = "soft" },
+         { name = "still", left_edge = 2.0, lower_edge = 0.0, width = 0.1, height = 0.1, velocity = [0.0, 0.0], material = "soft" }]
 )";
   const std::string text = explain(plates);
   ASSERT_EQ(code_, 0) << errors_;

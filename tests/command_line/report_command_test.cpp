@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "methods/method.h"
+#include "output/file_list.h"
 #include "program.h"
 #include "report/seal.h"
 
@@ -49,6 +50,15 @@ class Judging : public furrow::test::Program {
   }
 };
 
+// As if the program had written this text: its marker knows the file by its length and CRC-32.
+void write_as_its_own(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  const fs::path marker = file.parent_path() / ".furrow.json";
+  auto json = nlohmann::ordered_json::parse(text_of(marker));
+  json.at("files").at(file.filename().string()) = furrow::length_and_crc(file);
+  std::ofstream(marker) << json.dump(2) << "\n";
+}
+
 TEST_F(Judging, AReportIsGoodOnlyIfItsChecksAre) {
   write_checks(true);
   ASSERT_EQ(furrow("report --scenes scenes --out page --checks checks.json").code, 0) << err();
@@ -68,7 +78,7 @@ TEST_F(Judging, AReportReusesWhatFinishedAndNothingElse) {
   const auto first = written(1), second = written(2), third = written(3);
   auto json = nlohmann::json::parse(text_of(run(2)));
   json["ended"] = "interrupted";
-  std::ofstream(run(2)) << json.dump(2);
+  write_as_its_own(run(2), json.dump(2));
   fs::last_write_time(run(2), second);
   ASSERT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
   EXPECT_EQ(written(1), first);
@@ -86,7 +96,7 @@ TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
   for (const char* key : {"scene_hash", "method", "step", "sources", "compiler", "flags"}) {
     auto json = nlohmann::json::parse(sound);
     json[key] = "another";
-    std::ofstream(file) << json.dump(2);
+    write_as_its_own(file, json.dump(2));
     ASSERT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
     EXPECT_NE(err().find("page/scenario_2: run again: " + std::string(key) + " is \"another\""), std::string::npos)
         << err();
@@ -94,7 +104,8 @@ TEST_F(Judging, AReportReusesNoRunOfAnotherSceneOrProgram) {
   }
 }
 
-// As a copy that was broken off leaves them: after a whole line, within one, without a picture.
+// As a copy that was broken off leaves them: after a whole line, within one, without a picture. Who did that is not known, so
+// the file stays until it is moved away.
 TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
   ASSERT_EQ(furrow("report --scenes scenes --out page").code, 0) << err();
   const auto half = [](const std::string& text) { return text.substr(0, text.find('\n', text.size() / 2) + 1); };
@@ -122,9 +133,14 @@ TEST_F(Judging, AReportReusesNoRunWhoseFilesAreNotWhole) {
     const std::string sound = text_of(place);
     std::ofstream(place) << spoil(sound);
     ASSERT_NE(text_of(place), sound) << file;
-    EXPECT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
+    const std::string spoilt = text_of(place);
+    EXPECT_EQ(furrow("report --scenes scenes --out page --reuse").code, 4) << err();
     EXPECT_NE(err().find("page/scenario_2: run again: "), std::string::npos) << err();
     EXPECT_NE(err().find(why), std::string::npos) << err();
+    EXPECT_NE(err().find("page/scenario_2/" + file + " is in the way"), std::string::npos) << err();
+    EXPECT_EQ(text_of(place), spoilt) << file;
+    fs::remove(place);
+    EXPECT_EQ(furrow("report --scenes scenes --out page --reuse").code, 0) << err();
     EXPECT_TRUE(file == "run.json" || text_of(place) == sound) << file << " is not there again";
   }
 }

@@ -67,7 +67,8 @@ TEST(WrittenRuns, AMethodThatChoosesItsStepsLandsOnEveryRowAndFrame) {
   const Written written(scene);
   ASSERT_EQ(written.outcome.ended, "finished") << written.outcome.reason;
   const Csv motion = written.csv("motion.csv"), frames = written.csv("frames/frames.csv");
-  ASSERT_EQ(motion.rows.size(), 11u);
+  ASSERT_EQ(motion.rows.size(), 12u);
+  EXPECT_EQ(motion.number(11, "t [s]"), 0.0105) << "the end is a row";
   for (std::size_t k = 0; k < 11; ++k) EXPECT_EQ(motion.number(k, "t [s]"), static_cast<double>(k) * 1e-3);
   ASSERT_EQ(frames.rows.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(frames.number(k, "t [s]"), scene.output.frames[k]);

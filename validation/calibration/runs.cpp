@@ -48,6 +48,7 @@ Runs::Runs(const fs::path& directory, unsigned jobs, std::function<bool(long)> h
   read(file);
   fs::create_directories(directory);
   const bool cut = ends_within_a_line(file);
+  begin_appending(file);
   out_.open(file, std::ios::app);
   if (cut) out_ << "\n";
   if (!out_) throw FileError("cannot write " + file.string());
