@@ -46,6 +46,9 @@ class Measurement {
   // flags if they are timed, and did not fail. Throws Interrupted if `progress` says so, std::logic_error if two tasks have one key, FileError.
   virtual std::vector<Json> run(const std::vector<Task>& tasks);
 
+  // The numbers that a check compares with; null where numbers are made.
+  virtual const Numbers* compared_with() const { return nullptr; }
+
   // A result that others have measured, with what they say of how.
   void take(Result result, const Maker& maker) { numbers_.add(std::move(result), maker); }
 
@@ -74,6 +77,7 @@ class Recomputation final : public Measurement {
   Recomputation(std::string study, const Numbers& kept, const Sources& sources, std::uint64_t draw, double most_cpu);
   std::vector<Json> run(const std::vector<Task>& tasks) override;
 
+  const Numbers* compared_with() const override { return &earlier_; }
   int compared() const { return compared_; }
   // Whether the study has results that are no times.
   bool has_numbers() const { return numbers_there_; }

@@ -44,6 +44,7 @@ bending = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
 TEST_F(Explain, SaysHowAPlateReachesItsSpeed) {
   const std::string plates = R"(
 title = "Plates"
+disc = [{ position = [5.0, 5.0], radius = 0.1, material = "soft" }]
 time = { end = 0.1, step = 1e-4 }
 material = [{ name = "soft", young = 1e6, poisson = 0.25 }]
 plate = [{ name = "sudden", left_edge = 0.0, lower_edge = 0.0, width = 0.1, height = 0.1, velocity = [0.1, 0.0], material = "soft" },

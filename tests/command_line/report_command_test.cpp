@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "methods/method.h"
-#include "output/file_list.h"
 #include "program.h"
 #include "report/seal.h"
+#include "tests/owned_file.h"
 
 namespace {
 
@@ -50,13 +50,9 @@ class Judging : public furrow::test::Program {
   }
 };
 
-// As if the program had written this text: its marker knows the file by its length and CRC-32.
 void write_as_its_own(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
-  const fs::path marker = file.parent_path() / ".furrow.json";
-  auto json = nlohmann::ordered_json::parse(text_of(marker));
-  json.at("files").at(file.filename().string()) = furrow::length_and_crc(file);
-  std::ofstream(marker) << json.dump(2) << "\n";
+  furrow::test::make_its_own(file);
 }
 
 TEST_F(Judging, AReportIsGoodOnlyIfItsChecksAre) {

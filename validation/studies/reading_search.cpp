@@ -279,7 +279,10 @@ ReadingsFound kept_search(const Numbers& numbers) {
 }
 
 void measure_readings(Measurement& measurement) {
-  search_readings([&](const std::vector<Task>& tasks) { return measurement.run(tasks); }, measurement.quick());
+  // A check asks for what is kept, in the form in which it was made.
+  const Numbers* kept = measurement.compared_with();
+  const SearchForm form = kept ? kept_search(*kept).form : SearchForm::second;
+  search_readings([&](const std::vector<Task>& tasks) { return measurement.run(tasks); }, measurement.quick(), form);
 }
 
 }  // namespace furrow::validation

@@ -39,7 +39,7 @@ std::vector<std::string> and_members(const std::string& own) {
 // The search goes where the verdicts on what it has send it.
 std::vector<std::string> of_readings() {
   std::vector<std::string> files = and_members("validation/studies/reading");
-  for (const char* other : {"validation/studies/sentences.", "validation/studies/verdict.",
+  for (const char* other : {"validation/studies/once.", "validation/studies/sentences.", "validation/studies/verdict.",
                             "validation/calibration/key_path.", "validation/calibration/varied_key."})
     files.emplace_back(other);
   return files;
