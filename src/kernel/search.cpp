@@ -215,7 +215,7 @@ void NeighbourSearch::cut_into_blocks(int discs) {
     DiscBlock block{first, last, pair, pair, contributions, contributions};
     for (; pair < list.count() && list.a[pair] < block.last_disc; ++pair) {
       const int b = list.b[pair];
-      if (across_blocks(list.a[pair], b)) boundary[block_of(b)].push_back({contributions++, b});
+      if (b >= block.last_disc) boundary[block_of(b)].push_back({contributions++, b});  // across blocks
     }
     block.last_pair = pair;
     block.last_contribution = contributions;
