@@ -380,10 +380,10 @@ class Broken(unittest.TestCase):
         file.rename(part)
         for partial in (False, True):
             self.require_error(lambda: furrow.read(self.place, partial).energy, str(part), "run.json says finished")
-        self.change_json(ended="interrupted", ended_at=0.0504, files={})
+        self.change_json(ended="interrupted", ended_at=0.05, files={})
         self.change(".furrow.json", lambda text: text.replace('"finished"', '"interrupted"'))
         part.write_text("".join(part.read_text().splitlines(True)[:7]))
-        self.require_error(lambda: furrow.read(self.place).energy, str(part), "'interrupted' at 0.0504 s", "partial=True")
+        self.require_error(lambda: furrow.read(self.place).energy, str(part), "'interrupted' at 0.05 s", "partial=True")
         self.assertEqual(len(furrow.read(self.place, partial=True).energy), 6)
         part.write_text("".join(part.read_text().splitlines(True)[:6]))
         self.require_error(lambda: furrow.read(self.place, partial=True).energy, str(part), "row 6 of 0.04 s")
