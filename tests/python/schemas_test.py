@@ -36,6 +36,7 @@ NO_SCENE = {
     "validation/statements.toml": "statements of the paper",
     "verification/cases/": "cases for engines, which have keys of their own",
     "verification/faults.toml": "faults",
+    "verification/published/": "numbers of others, with their cases",
     "verification/requirements/": "requirements",
 }
 TOML = tree.files(".toml")
@@ -125,9 +126,12 @@ class OfScenes(Schemas):
 
     def test_a_number_passes_where_the_reader_accepts_it(self):
         """Each number of each scene becomes others; the reader's word is what check says of ranges and types. Whole ones stay
-        integers where one stood: to JSON Schema 1.0 is one, to the reader it is not."""
+        integers where one stood: to JSON Schema 1.0 is one, to the reader it is not. The paper's scenes once, not in each of
+        their readings, which have the same keys."""
         tried = []
         for file in SCENES:
+            if file.parent.name in ("literal", "best_reading"):
+                continue
             scene = furrow.load(file)
             for path in places(scene):
                 kind = type(at(scene, path))
