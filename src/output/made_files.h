@@ -20,6 +20,10 @@ inline constexpr const char* file_endings[] = {"", ".partial"};
 
 class MadeFiles final : public FileWatcher {
  public:
+  MadeFiles() = default;
+  MadeFiles(const MadeFiles&) = delete;
+  MadeFiles& operator=(const MadeFiles&) = delete;
+
   // Of this directory, once it is there: what its journal says, if it has one.
   void open(const std::filesystem::path& directory);
   ~MadeFiles() override;
