@@ -5,39 +5,16 @@
 
 #include "output/run_files.h"
 #include "output/schedule.h"
-#include "scene/read.h"
 #include "tests/files.h"
+#include "tests/plate_beside_disc.h"
 #include "validation/studies/observed_run.h"
 
 namespace furrow::validation {
 namespace {
 
-// A plate goes 0.5 m/s beside a disc that it never meets; the end lies between two samples.
+// The end lies between two samples.
 Scene beside(const std::string& method = "pece") {
-  return parse_scene(R"(title = "a plate beside a disc"
-[time]
-end = 0.055
-step = 1e-3
-method = ")" + method + R"("
-[[material]]
-name = "soft"
-young = 2e5
-poisson = 0.3
-[[disc]]
-position = [-1.0, 1.0]
-radius = 0.1
-material = "soft"
-[[plate]]
-left_edge = 0.0
-lower_edge = 0.0
-width = 0.01
-height = 0.1
-velocity = [0.3, 0.4]
-material = "soft"
-[output]
-interval = 0.02
-)",
-                     "beside");
+  return test::plate_beside_disc("end = 0.055\nmethod = \"" + method + "\"");
 }
 
 const std::vector<double> expected{0, 10, 20, 27.5};  // mm: at 0, 0.02, 0.04 and 0.055 s

@@ -8,6 +8,7 @@
 
 #include "scene/read.h"
 #include "tests/files.h"
+#include "tests/plate_beside_disc.h"
 #include "validation/calibration/identify.h"
 #include "validation/calibration/linear_theory.h"
 #include "validation/calibration/read_curve.h"
@@ -243,31 +244,7 @@ TEST(Observables, AreAllKnownByTheirNames) {
 
 // A plate that starts from rest in 0.04 s and then goes on with 0.5 m/s: v t^2/(2 r) within the ramp, v (t - r/2) after it.
 TEST(ObservedRun, SaysHowFarThePlateHasGoneThroughItsRamp) {
-  const Scene scene = parse_scene(R"(title = "a plate starts beside a disc"
-[time]
-end = 0.1
-step = 1e-3
-[[material]]
-name = "soft"
-young = 2e5
-poisson = 0.3
-[[disc]]
-position = [-1.0, 1.0]
-radius = 0.1
-material = "soft"
-[[plate]]
-left_edge = 0.0
-lower_edge = 0.0
-width = 0.01
-height = 0.1
-velocity = [0.3, 0.4]
-ramp = 0.04
-material = "soft"
-[output]
-interval = 0.02
-frames = [0.02, 0.1]
-)",
-                                  "ramp");
+  const Scene scene = test::plate_beside_disc("end = 0.1", "ramp = 0.04", "frames = [0.02, 0.1]");
   const RunRecord run = observed_run(prepare(scene), scene.time);
   const std::vector<double> mm{0, 2.5, 10, 20, 30, 40};
   ASSERT_EQ(run.force.mm.size(), mm.size());

@@ -102,17 +102,17 @@ Plate plate_in_bed() {
 }
 
 Lattice lattice_in_bed() {
-  Lattice l;
-  l.name = "lattice";
-  l.origin = {0.8, 0};
-  l.rows = 20;
-  l.columns = 2;
-  l.spacing = 0.02;
-  l.node_mass = 0.2;
-  l.material = "soft";
-  l.fixed_rows = {0};
-  l.structural = l.shear = {2000, 1, 5};  // some tear
-  return l;
+  const LinkKind some_tear{2000, 1, 5};
+  return {.name = "lattice",
+          .origin = {0.8, 0},
+          .rows = 20,
+          .columns = 2,
+          .spacing = 0.02,
+          .node_mass = 0.2,
+          .material = "soft",
+          .fixed_rows = {0},
+          .structural = some_tear,
+          .shear = some_tear};
 }
 
 // What a bed has is chosen by `choose(n)`, a number below n.

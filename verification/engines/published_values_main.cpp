@@ -2,14 +2,10 @@
 //
 // usage: published_values FILE...
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <regex>
-#include <sstream>
 
-#include "output/files.h"
 #include "verification/engines/published_run.h"
+#include "verification/engines/rewritten_files.h"
 
 namespace furrow::verification {
 namespace {
@@ -44,16 +40,7 @@ std::string with_got(const std::string& text, const Json& problems) {
 
 int main(int argc, char** argv) {
   using namespace furrow::verification;
-  try {
-    for (int k = 1; k < argc; ++k) {
-      const std::filesystem::path file = argv[k];
-      std::ostringstream text;
-      text << std::ifstream(file).rdbuf();
-      furrow::replace_file(file, with_got(text.str(), plain_case_from(text.str(), file.stem())["problem"]));
-    }
-    return 0;
-  } catch (const std::exception& fault) {
-    std::cerr << "published_values: error: " << fault.what() << "\n";
-    return 2;
-  }
+  return rewrite_files("published_values", argc, argv, [](const std::string& text, const std::filesystem::path& file) {
+    return with_got(text, plain_case_from(text, file.stem())["problem"]);
+  });
 }
