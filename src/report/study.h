@@ -43,7 +43,6 @@ class Report {
   Report& table(std::string caption, std::vector<std::string> head, std::vector<std::vector<Json>> rows);
   Report& figure(Figure figure);
   Report& claim(Claim claim);
-  Report& claim(const std::string& text, bool holds) { return claim({.text = text, .value = "", .holds = holds}); }
   Report& headline(Headline headline);
   Report& first_figure(const Figure& figure);  // beside the headline
   // The parts and claims of another report.
