@@ -161,7 +161,7 @@ Measurement::Measurement(std::string study, const Settings& settings, const Sour
 
 // A line that was cut short by a crash bears no seal.
 void Measurement::take_lines(const fs::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = regular_file(file);
   for (std::string line; std::getline(stream, line);) {
     const Json json = json_or_discarded(line);
     if (!broken_seal(json).empty() || json.at("study") != study_ || json.at("form") != earlier_.form()) continue;

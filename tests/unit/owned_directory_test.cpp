@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "tests/files.h"
 
@@ -34,6 +37,23 @@ class OwnedDirectories : public testing::Test {
     OwnedDirectory directory(place_, kind, all);
     for (const std::string& file : all) OutputFile(place_ / file).finish();
     directory.conclude("finished");
+  }
+
+  // As if killed, after it had finished one of its files, written to another and planned a third.
+  void make_killed() const {
+    const pid_t child = fork();
+    if (child == 0) {
+      OwnedDirectory directory(place_, "run", all);
+      OutputFile whole(place_ / "run.json");
+      whole << "whole";
+      whole.finish();
+      OutputFile file(place_ / "a.csv");
+      file << "rows";
+      file.flush();
+      OutputFile empty(place_ / "frames/one.csv");
+      _exit(0);
+    }
+    waitpid(child, nullptr, 0);
   }
 
   // What is there, links not followed: name and what it holds.
@@ -98,23 +118,75 @@ TEST_F(OwnedDirectories, AFileThatAnotherPutInThePlaceOfOnesOwnIsNotReplaced) {
   EXPECT_TRUE(has(refusal(), "a.csv is in the way: it is not the file that furrow wrote"));
 }
 
-// As if killed, after it had made one of its files and written to it.
 TEST_F(OwnedDirectories, OfAKilledOneWhatItMadeIsReplacedAndWhatItOnlyMeantToMakeIsNot) {
-  const pid_t child = fork();
-  if (child == 0) {
-    OwnedDirectory directory(place_, "run", all);
-    OutputFile file(place_ / "a.csv");
-    file << "rows";
-    file.flush();
-    _exit(0);
-  }
-  waitpid(child, nullptr, 0);
+  make_killed();
   ASSERT_EQ(text_of(place_ / "a.csv.partial"), "rows");
   put(place_ / "frames/one.csv");
   EXPECT_TRUE(has(refusal(), "frames/one.csv is in the way: it is not a file of furrow's"));
   fs::remove(place_ / "frames/one.csv");
   make();
   EXPECT_FALSE(fs::exists(place_ / "a.csv.partial"));
+}
+
+TEST_F(OwnedDirectories, OneThatWasKilledMayBeCopiedOrMovedToAnotherDisk) {
+  make_killed();
+  fs::copy(place_, home_ / "copy", fs::copy_options::recursive);
+  place_ = home_ / "copy";
+  make();
+  EXPECT_FALSE(fs::exists(place_ / "a.csv.partial"));
+  EXPECT_FALSE(fs::exists(place_ / "frames/one.csv.partial"));
+}
+
+// In place: the same file as the killed one's, with other words in it.
+TEST_F(OwnedDirectories, WordsOverAFileOfAKilledOneAreNotReplaced) {
+  for (const char* name : {"run.json", "a.csv.partial", "frames/one.csv.partial"}) {
+    fs::remove_all(place_);
+    make_killed();
+    std::ofstream(place_ / name, std::ios::in | std::ios::out | std::ios::trunc) << "my own words";
+    EXPECT_TRUE(has(refusal(), std::string(name) + " is in the way: it is not the file that furrow wrote")) << name;
+  }
+  fs::remove_all(place_);
+  make_killed();
+  std::ofstream(place_ / "run.json", std::ios::app) << " and a remark";
+  EXPECT_TRUE(has(refusal(), "run.json is in the way")) << "a finished one to which something was added";
+}
+
+TEST_F(OwnedDirectories, WhatHasTheNameOfTheJournalAndIsNoneIsNotTouched) {
+  const fs::path journal = place_ / ".furrow.made";
+  const std::map<std::string, std::function<void()>> in_the_way{
+      {"words", [&] { put(journal, "my own words"); }},
+      {"a directory", [&] { fs::create_directory(journal); }},
+      {"a fifo", [&] { ASSERT_EQ(mkfifo(journal.c_str(), 0600), 0); }},
+      {"a link", [&] { put(home_ / "precious"), fs::create_symlink(home_ / "precious", journal); }}};
+  for (const auto& [what, put_there] : in_the_way) {
+    for (const bool killed : {false, true}) {
+      fs::remove_all(place_);
+      killed ? make_killed() : make();
+      fs::remove(journal);
+      put_there();
+      EXPECT_TRUE(has(refusal(), ".furrow.made is in the way")) << what << (killed ? " in one that was killed" : "");
+    }
+  }
+}
+
+TEST_F(OwnedDirectories, OneThatWasKilledBeforeItHadAMarkerIsTaken) {
+  for (const char* text : {"", "furrow, files made"}) {
+    fs::remove_all(place_);
+    put(place_ / ".furrow.made", text);
+    make();
+    EXPECT_FALSE(fs::exists(place_ / ".furrow.made"));
+  }
+}
+
+// They hear of the files of all threads, so also while they begin and end.
+TEST_F(OwnedDirectories, MayEndWhileOtherThreadsMakeFiles) {
+  std::atomic<bool> done = false;
+  fs::create_directory(home_ / "other");
+  std::jthread other([&] {
+    for (int k = 0; !done; ++k) replace_file(home_ / "other" / std::to_string(k % 10), "words");
+  });
+  for (int k = 0; k < 300; ++k) OwnedDirectory(place_, "run", all).conclude("finished");
+  done = true;
 }
 
 TEST_F(OwnedDirectories, ADirectoryGoesWithItsLastFile) {
