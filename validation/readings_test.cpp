@@ -44,6 +44,18 @@ TEST(Readings, EveryOtherAlternativeChangesASceneIntoOneThatCanBeRun) {
   }
 }
 
+// What the paper leaves open is searched, or it is said why not.
+TEST(Readings, NameThePointsThatNoFirstSearchKnew) {
+  std::string all;
+  for (const Choice& choice : the_readings().choices) {
+    for (const Alternative& a : choice.alternatives) all += choice.id + ": " + a.name + ", " + a.reason + "\n";
+  }
+  for (const auto& [open, why] : the_readings().unsearched) all += open + ": " + why + "\n";
+  for (const char* point : {"order of the time levels", "absent while the bed settles", "once it has settled",
+                            "auxiliary points against the plate", "half of m*", "m* of node contacts", "Eq. (1)"})
+    EXPECT_NE(all.find(point), std::string::npos) << point;
+}
+
 // A made-up world in which some alternatives alone bring a row each, whatever else is chosen, one of them to runs that
 // furrow run would end.
 ReadingsFound search_in_the_made_up_world(std::size_t& made) {
