@@ -25,8 +25,8 @@ constexpr std::array text_of_scenes{
 // Keeping, sealing and looking up what was measured; the clock and the name of the machine; judging in words.
 constexpr std::array keeping{"src/output/build_info.", "src/output/files.",       "src/output/kept_result.",
                              "src/output/machine.",    "src/output/strict_json.", "src/report/measurement.",
-                             "src/report/numbers.",    "src/report/seal.",        "src/report/sources.",
-                             "verification/check."};
+                             "src/report/age.",        "src/report/numbers.",     "src/report/seal.",
+                             "src/report/sources.",    "verification/check."};
 
 bool decides_no_number(const std::string& file) {
   const auto begins = [&](const char* with) { return file.starts_with(with); };
