@@ -89,6 +89,44 @@ TEST(SourcesOfAStudy, AreAllFilesThatItIncludes) {
   }
 }
 
+// What of verification judges, and what of it each of the kinds of kept verdicts begins with.
+std::vector<std::string> begins_with(const std::string& what) {
+  const std::string engines = "verification/engines/";
+  if (what == "judged_furrow") return {engines + "furrow_engine.cpp", engines + "judge.cpp"};
+  if (what == "judged_independent") return {engines + "independent.cpp", engines + "judge.cpp"};
+  if (what == "judged_others") return {engines + "judge.cpp"};
+  std::vector<std::string> pages{"tests/studies/work_precision_counts.cpp"};
+  for (const auto& entry : fs::directory_iterator(root / "verification")) {
+    if (entry.path().extension() == ".cpp") pages.push_back(fs::relative(entry.path(), root));
+  }
+  return pages;
+}
+
+// How a program is started and how the files of a run are written decides no verdict; the text of a case goes into it
+// by its hash.
+bool decides_no_verdict(const std::string& file) {
+  return file.starts_with("src/output/") && !file.starts_with("src/output/schedule.");
+}
+
+TEST(SourcesOfVerdicts, AreAllFilesThatTheirJudgesInclude) {
+  for (const char* what : {"faults", "judged_furrow", "judged_independent", "judged_others"}) {
+    const Sources hashed = that_decide(what);
+    const auto reached = reached_from(begins_with(what));
+    for (const auto& [file, from] : reached) {
+      if (decides_no_verdict(file) || decides_no_number(file)) continue;
+      EXPECT_TRUE(hashed.contains(file)) << what << " depend on " << file << " by " << from;
+    }
+    for (const auto& [file, hash] : hashed) {
+      const bool of_solver = that_decide("times").contains(file), by_hand = file.find("/fault_study/") != file.npos ||
+                                                                            file.find("/adapters/") != file.npos ||
+                                                                            file.find("/program_engine.") != file.npos;
+      EXPECT_TRUE(of_solver || by_hand || reached.contains(file)) << what << " do not depend on " << file;
+    }
+    EXPECT_EQ(hashed.contains("src/physics/contact.h"),
+              std::string(what) == "faults" || std::string(what) == "judged_furrow");
+  }
+}
+
 // What makes a lattice decides numbers of all its scenes, what reads its text does not.
 TEST(SourcesOfAStudy, HoldWhatMakesAScene) {
   for (const Study& study : catalogue()) {

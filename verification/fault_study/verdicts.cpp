@@ -23,6 +23,11 @@ class Makers {
     if (verdict.contains("by_property")) verdict[by_property] = place_in(all_, maker_of_property(from, verdict));
     for (const char* earlier : {"commit", "property_commit"}) verdict.erase(earlier);
   }
+  // Of a verdict of today.
+  void name(ordered_json& verdict, const Maker& maker) {
+    verdict[by_pages] = place(maker);
+    if (verdict.contains("by_property")) verdict[by_property] = place(maker);
+  }
   std::size_t place(const Maker& maker) { return place_in(all_, maker); }
   ordered_json json() const {
     ordered_json list = ordered_json::array();
@@ -55,10 +60,8 @@ Maker maker_of_verdicts(const fs::path& tree) {
 }
 
 ordered_json report_of(const Tried& tried, const ordered_json& earlier) {
-  Makers makers;
   std::map<std::string, ordered_json> kept;
-  for (ordered_json result : earlier.value("results", ordered_json::array())) {
-    makers.take_over(result, earlier);
+  for (const ordered_json& result : earlier.value("results", ordered_json::array())) {
     kept[result.at("name")] = result;
   }
   std::map<std::string, std::set<std::string>> groups;
@@ -67,16 +70,21 @@ ordered_json report_of(const Tried& tried, const ordered_json& earlier) {
     silent.insert(page.tests.begin(), page.tests.end());
     if (page.turn != Turn::always) groups[turn_names[page.turn]].insert(page.tests.begin(), page.tests.end());
   }
-  for (ordered_json result : tried.results) {
+  std::set<std::string> now;
+  for (const ordered_json& result : tried.results) {
     if (result.is_null()) continue;  // the sound tree was not green
-    result[by_pages] = makers.place(tried.maker);
-    if (result.contains("by_property")) result[by_property] = result[by_pages];
+    now.insert(result.at("name"));
     kept[result.at("name")] = result;
   }
+  Makers makers;
   ordered_json all = ordered_json::array();
   for (const std::string& name : tried.names) {
     if (kept.count(name) == 0) continue;
-    const ordered_json& result = all.emplace_back(kept[name]);
+    ordered_json& result = all.emplace_back(kept[name]);
+    if (now.contains(name))
+      makers.name(result, tried.maker);
+    else
+      makers.take_over(result, earlier);
     for (const char* key : {"failed", "by"}) {
       for (const auto& test : result.value(key, ordered_json::array())) silent.erase(test.get<std::string>());
     }
