@@ -15,77 +15,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/files.h"
+#include "owned_directories.h"
 
 namespace furrow {
 namespace {
 
-namespace fs = std::filesystem;
-using test::text_of;
-
-const std::vector<std::string> all{"a.csv", "run.json", "frames/one.csv"};
-
-class OwnedDirectories : public testing::Test {
- protected:
-  static void put(const fs::path& file, const std::string& text = "mine") {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << text;
-  }
-
-  // One that made all its files.
-  void make(const std::string& kind = "run") const {
-    OwnedDirectory directory(place_, kind, all);
-    for (const std::string& file : all) OutputFile(place_ / file).finish();
-    directory.conclude("finished");
-  }
-
-  // As if killed, after it had finished one of its files, written to another and planned a third.
-  void make_killed() const {
-    const pid_t child = fork();
-    if (child == 0) {
-      OwnedDirectory directory(place_, "run", all);
-      OutputFile whole(place_ / "run.json");
-      whole << "whole";
-      whole.finish();
-      OutputFile file(place_ / "a.csv");
-      file << "rows";
-      file.flush();
-      OutputFile empty(place_ / "frames/one.csv");
-      _exit(0);
-    }
-    waitpid(child, nullptr, 0);
-  }
-
-  // What is there, links not followed: name and what it holds.
-  std::map<std::string, std::string> contents() const {
-    std::map<std::string, std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(home_)) {
-      const bool is_link = entry.is_symlink();
-      found[fs::relative(entry.path(), home_)] = is_link ? "-> " + fs::read_symlink(entry.path()).string()
-                                                 : entry.is_regular_file() ? text_of(entry.path())
-                                                                           : "directory";
-    }
-    return found;
-  }
-
-  // The words with which the directory is refused; nothing may have changed.
-  std::string refusal(const std::string& kind = "run") const {
-    const auto before = contents();
-    std::string words = "not refused";
-    try {
-      OwnedDirectory(place_, kind, all);
-    } catch (const FileError& error) {
-      words = error.what();
-    }
-    EXPECT_EQ(contents(), before);
-    return words;
-  }
-  static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-  const test::OwnDirectory own_;
-  const fs::path home_ = own_.path();
-  fs::path place_ = home_ / "run";
-};
+using namespace test;
 
 TEST_F(OwnedDirectories, MarkerSaysWhoOwnsWhatFromTheFirstMoment) {
   OwnedDirectory directory(place_, "run", all);
@@ -107,7 +42,7 @@ TEST_F(OwnedDirectories, AnOwnersFilesAreReplacedAndNoOthers) {
   put(place_ / "notes.txt");
   put(place_ / "frames/mine.csv");
   OwnedDirectory again(place_, "run", {"b.csv"});
-  EXPECT_EQ(contents().size(), 5U);  // run, its marker, notes, frames and what is in it
+  EXPECT_EQ(contents().size(), 6U);  // run, its marker and journal, notes, frames and what is in it
   EXPECT_EQ(text_of(place_ / "notes.txt"), "mine");
   EXPECT_EQ(text_of(place_ / "frames/mine.csv"), "mine");
 }
@@ -116,66 +51,6 @@ TEST_F(OwnedDirectories, AFileThatAnotherPutInThePlaceOfOnesOwnIsNotReplaced) {
   make();
   put(place_ / "a.csv", "my own words");
   EXPECT_TRUE(has(refusal(), "a.csv is in the way: it is not the file that furrow wrote"));
-}
-
-TEST_F(OwnedDirectories, OfAKilledOneWhatItMadeIsReplacedAndWhatItOnlyMeantToMakeIsNot) {
-  make_killed();
-  ASSERT_EQ(text_of(place_ / "a.csv.partial"), "rows");
-  put(place_ / "frames/one.csv");
-  EXPECT_TRUE(has(refusal(), "frames/one.csv is in the way: it is not a file of furrow's"));
-  fs::remove(place_ / "frames/one.csv");
-  make();
-  EXPECT_FALSE(fs::exists(place_ / "a.csv.partial"));
-}
-
-TEST_F(OwnedDirectories, OneThatWasKilledMayBeCopiedOrMovedToAnotherDisk) {
-  make_killed();
-  fs::copy(place_, home_ / "copy", fs::copy_options::recursive);
-  place_ = home_ / "copy";
-  make();
-  EXPECT_FALSE(fs::exists(place_ / "a.csv.partial"));
-  EXPECT_FALSE(fs::exists(place_ / "frames/one.csv.partial"));
-}
-
-// In place: the same file as the killed one's, with other words in it.
-TEST_F(OwnedDirectories, WordsOverAFileOfAKilledOneAreNotReplaced) {
-  for (const char* name : {"run.json", "a.csv.partial", "frames/one.csv.partial"}) {
-    fs::remove_all(place_);
-    make_killed();
-    std::ofstream(place_ / name, std::ios::in | std::ios::out | std::ios::trunc) << "my own words";
-    EXPECT_TRUE(has(refusal(), std::string(name) + " is in the way: it is not the file that furrow wrote")) << name;
-  }
-  fs::remove_all(place_);
-  make_killed();
-  std::ofstream(place_ / "run.json", std::ios::app) << " and a remark";
-  EXPECT_TRUE(has(refusal(), "run.json is in the way")) << "a finished one to which something was added";
-}
-
-TEST_F(OwnedDirectories, WhatHasTheNameOfTheJournalAndIsNoneIsNotTouched) {
-  const fs::path journal = place_ / ".furrow.made";
-  const std::map<std::string, std::function<void()>> in_the_way{
-      {"words", [&] { put(journal, "my own words"); }},
-      {"a directory", [&] { fs::create_directory(journal); }},
-      {"a fifo", [&] { ASSERT_EQ(mkfifo(journal.c_str(), 0600), 0); }},
-      {"a link", [&] { put(home_ / "precious"), fs::create_symlink(home_ / "precious", journal); }}};
-  for (const auto& [what, put_there] : in_the_way) {
-    for (const bool killed : {false, true}) {
-      fs::remove_all(place_);
-      killed ? make_killed() : make();
-      fs::remove(journal);
-      put_there();
-      EXPECT_TRUE(has(refusal(), ".furrow.made is in the way")) << what << (killed ? " in one that was killed" : "");
-    }
-  }
-}
-
-TEST_F(OwnedDirectories, OneThatWasKilledBeforeItHadAMarkerIsTaken) {
-  for (const char* text : {"", "furrow, files made"}) {
-    fs::remove_all(place_);
-    put(place_ / ".furrow.made", text);
-    make();
-    EXPECT_FALSE(fs::exists(place_ / ".furrow.made"));
-  }
 }
 
 // They hear of the files of all threads, so also while they begin and end.
