@@ -103,6 +103,8 @@ inline std::string nearest_or_all(std::string_view word, std::vector<std::string
   const auto nearer = [&](const std::string& a, const std::string& b) {
     return edit_distance(begins, a) < edit_distance(begins, b);
   };
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
   std::stable_sort(known.begin(), known.end(), nearer);
   known.resize(3);
   return "; the least far of those that there are: " + joined(known);

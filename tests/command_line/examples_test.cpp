@@ -25,7 +25,7 @@ class Examples : public Program {
   // To its end; what takes long is asked to stop once it works, and has by then taken its command line.
   void expect_to_run(const std::string& line) const {
     constexpr double long_enough = 3;  // s of CPU time
-    Process program(directory_, line + " >>stdout.txt 2>stderr.txt </dev/null");
+    Process program(directory_, line + " >>stdout.txt 2>stderr.txt");
     ASSERT_TRUE(comes_true([&] {
       return program.has_ended() || (program.hears(SIGTERM) && program.cpu_seconds() > long_enough);
     })) << line;
