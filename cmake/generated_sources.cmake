@@ -36,7 +36,8 @@ file(GLOB_RECURSE hashed_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}
   validation/calibration/*.h validation/calibration/*.cpp
   benchmarks/studies/*.h benchmarks/studies/*.cpp)
 file(GLOB page_files CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" validation/page/*.h validation/page/*.cpp
-  verification/*.h verification/*.cpp)
+  verification/*.h verification/*.cpp verification/engines/*.h verification/engines/*.cpp verification/engines/adapters/*.py
+  verification/fault_study/*.h verification/fault_study/*.cpp tests/studies/work_precision_counts.cpp)
 list(APPEND hashed_files ${page_files})
 list(TRANSFORM hashed_files PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE hashed_paths)
 add_custom_command(OUTPUT "${generated_dir}/sources.cpp"

@@ -63,7 +63,7 @@ int run_side_by_side(const std::vector<RunOptions>& wanted) {
 
 // Why a run that is there does not stand for a run of that scene by this program; empty if it does.
 std::string other_run(const fs::path& directory, const Scene& scene) {
-  std::ifstream file(directory / "run.json");
+  std::ifstream file = regular_file(directory / "run.json");
   if (!file) return "there is none";
   const auto json = json_or_discarded(file);
   if (!json.is_object()) return "its run.json cannot be read";

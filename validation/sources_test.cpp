@@ -25,8 +25,8 @@ constexpr std::array text_of_scenes{
 // Keeping, sealing and looking up what was measured; the clock and the name of the machine; judging in words.
 constexpr std::array keeping{"src/output/build_info.", "src/output/files.",       "src/output/kept_result.",
                              "src/output/machine.",    "src/output/strict_json.", "src/report/measurement.",
-                             "src/report/numbers.",    "src/report/seal.",        "src/report/sources.",
-                             "verification/check."};
+                             "src/report/age.",        "src/report/numbers.",     "src/report/seal.",
+                             "src/report/sources.",    "verification/check."};
 
 bool decides_no_number(const std::string& file) {
   const auto begins = [&](const char* with) { return file.starts_with(with); };
@@ -86,6 +86,44 @@ TEST(SourcesOfAStudy, AreAllFilesThatItIncludes) {
     if (!study.files.empty()) {
       EXPECT_GT(reached.size(), 50u) << study.name;
     }
+  }
+}
+
+// What of verification judges, and what of it each of the kinds of kept verdicts begins with.
+std::vector<std::string> begins_with(const std::string& what) {
+  const std::string engines = "verification/engines/";
+  if (what == "judged_furrow") return {engines + "furrow_engine.cpp", engines + "judge.cpp"};
+  if (what == "judged_independent") return {engines + "independent.cpp", engines + "judge.cpp"};
+  if (what == "judged_others") return {engines + "judge.cpp"};
+  std::vector<std::string> pages{"tests/studies/work_precision_counts.cpp"};
+  for (const auto& entry : fs::directory_iterator(root / "verification")) {
+    if (entry.path().extension() == ".cpp") pages.push_back(fs::relative(entry.path(), root));
+  }
+  return pages;
+}
+
+// How a program is started and how the files of a run are written decides no verdict; the text of a case goes into it
+// by its hash.
+bool decides_no_verdict(const std::string& file) {
+  return file.starts_with("src/output/") && !file.starts_with("src/output/schedule.");
+}
+
+TEST(SourcesOfVerdicts, AreAllFilesThatTheirJudgesInclude) {
+  for (const char* what : {"faults", "judged_furrow", "judged_independent", "judged_others"}) {
+    const Sources hashed = that_decide(what);
+    const auto reached = reached_from(begins_with(what));
+    for (const auto& [file, from] : reached) {
+      if (decides_no_verdict(file) || decides_no_number(file)) continue;
+      EXPECT_TRUE(hashed.contains(file)) << what << " depend on " << file << " by " << from;
+    }
+    for (const auto& [file, hash] : hashed) {
+      const bool of_solver = that_decide("times").contains(file), by_hand = file.find("/fault_study/") != file.npos ||
+                                                                            file.find("/adapters/") != file.npos ||
+                                                                            file.find("/program_engine.") != file.npos;
+      EXPECT_TRUE(of_solver || by_hand || reached.contains(file)) << what << " do not depend on " << file;
+    }
+    EXPECT_EQ(hashed.contains("src/physics/contact.h"),
+              std::string(what) == "faults" || std::string(what) == "judged_furrow");
   }
 }
 

@@ -11,6 +11,7 @@
 #include "program_with_all.h"
 #include "scene/utf8.h"
 #include "scene/wording.h"
+#include "study_status.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/golden.h"
@@ -27,6 +28,7 @@ struct StudyOptions {
   bool anew = false;    // nothing that is kept is taken
   bool status = false;  // how old the kept numbers are
   bool check = false;   // a sample of the kept numbers made again
+  std::string made_by;  // what would be made now: by what
   bool words = false;   // what the chapter makes of the kept numbers
 };
 
@@ -54,40 +56,6 @@ std::vector<const Study*> studies_asked_for(const StudyOptions& options) {
   }
   if (all.empty()) all.push_back(&study_named(options.name));
   return all;
-}
-
-std::string date(const std::string& when) { return when.substr(0, 10); }
-
-std::string status_of(const Study& study, const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / (study.name + ".json");
-  const Numbers numbers = Numbers::read(file);
-  if (numbers.study() != study.name) throw FileError(file.string() + " has the numbers of " + numbers.study());
-  const Age age = age_of(numbers, study.sources());
-  if (age.results == 0) throw FileError(file.string() + " has no numbers");
-  char counts[64];
-  std::snprintf(counts, sizeof counts, "%8zu %6zu %12s %12s  ", age.results, age.old, date(age.first).c_str(),
-                date(age.last).c_str());
-  std::string changed;
-  for (const std::string& one : age.changed) changed += (changed.empty() ? "" : " ") + one;
-  return counts + changed;
-}
-
-// One line a study: how many numbers, how many of them were made before a source changed that decides them.
-int status_command(const StudyOptions& options) {
-  const std::vector<const Study*> studies = studies_asked_for(options);
-  std::printf("%-16s %8s %6s %12s %12s  %s\n", "study", "numbers", "old", "first", "last", "changed since");
-  int status = good;
-  for (const Study* study : studies) {
-    std::string line;
-    try {
-      line = status_of(*study, options.directory);
-    } catch (const FileError& error) {
-      line = error.what();
-      status = io_failed;
-    }
-    std::printf("%-16s %s\n", study->name.c_str(), line.c_str());
-  }
-  return status;
 }
 
 std::string cell_text(const Json& cell) {
@@ -155,7 +123,11 @@ int check_command(const StudyOptions& options) {
 }
 
 int study_command(const StudyOptions& options) {
-  if (options.status) return status_command(options);
+  if (!options.made_by.empty()) {
+    std::printf("%s\n", json_of(this_maker(that_decide(options.made_by))).dump().c_str());
+    return good;
+  }
+  if (options.status) return print_status(studies_asked_for(options), options.directory, options.name.empty());
   if (options.check) return check_command(options);
   if (options.words) return words_command(options);
   if (options.name.empty()) {
@@ -223,9 +195,16 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
                                 "what the page says of the numbers in --out, without figures; runs nothing");
   auto* check =
       study->add_flag("--check", studied.check, "make a sample of the cheap numbers in --out again and compare");
+  auto* made_by =
+      study
+          ->add_option("--made-by", studied.made_by,
+                       "what makes faults, judged_furrow, judged_independent, judged_others or times now: commit, "
+                       "day, machine, load and sources, as JSON; runs nothing")
+          ->type_name("WHAT");
   status->excludes(check)->excludes(words);
   words->excludes(check);
-  for (auto* what : {status, words, check}) {  // these make no numbers
+  for (auto* what : {status, words, check}) made_by->excludes(what);
+  for (auto* what : {status, words, check, made_by}) {  // these make no numbers
     for (auto* how : {anew, study->get_option("--quick"), study->get_option("--jobs")}) what->excludes(how);
   }
   auto* ensemble = add_study_options(app.add_subcommand("ensemble", "the scenes over many packings"));

@@ -32,8 +32,11 @@ T get(std::string_view bytes) {
 }
 
 std::string all_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw FileError("cannot read " + file.string() + ": " + std::strerror(errno));
+  errno = 0;
+  std::ifstream in = regular_file(file);
+  if (!in)
+    throw FileError("cannot read " + file.string() + ": " +
+                    (errno != 0 ? std::strerror(errno) : "it is no regular file"));
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (in.bad()) throw FileError("cannot read all of " + file.string());
   return bytes;

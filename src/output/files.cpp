@@ -24,11 +24,19 @@ constexpr mode_t permissions = 0666;             // less what umask takes
 std::atomic<int> being_written = 0;
 
 std::mutex watchers_mutex;
-std::vector<FileWatcher*> watchers;
+std::vector<const FileWatch::Hear*> watchers;
 
-void tell(const fs::path& file, int descriptor) {
+void tell(const fs::path& file, const FileNews& news) {
   const std::scoped_lock lock(watchers_mutex);
-  for (FileWatcher* watcher : watchers) watcher->made(file, descriptor);
+  for (const FileWatch::Hear* hear : watchers) (*hear)(file, news);
+}
+
+void plan(const fs::path& file) { tell(file, {.what = FileNews::What::planned}); }
+
+constexpr std::size_t most_told = 50;  // bytes of a beginning
+
+void tell_beginning(const fs::path& file, std::string_view text) {
+  tell(file, {.what = FileNews::What::begins, .beginning = std::string(text.substr(0, most_told))});
 }
 
 [[noreturn]] void fail(const std::string& what, const fs::path& file, int error) {
@@ -61,7 +69,7 @@ void refuse_to_replace(const fs::path& file) {
 
 int made_for(const fs::path& file) {
   refuse_to_replace(file);
-  tell(file, -1);
+  plan(file);
   return made(partial_of(file));
 }
 
@@ -146,31 +154,42 @@ OutputFile::OutputFile(fs::path file, fs::path partial, int descriptor, Ending e
       hash_(hash),
       descriptor_(descriptor),
       ending_(ending) {
-  try {
-    tell(file_, descriptor_);
-  } catch (...) {
-    ::close(descriptor_);
-    throw;
-  }
   ++being_written;
 }
 
-void begin_appending(const fs::path& file) {
-  tell(file, -1);
+void begin_appending(const fs::path& file, std::string_view beginning) {
+  tell(file, {.what = FileNews::What::grows, .beginning = std::string(beginning.substr(0, most_told))});
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, permissions);
   if (descriptor < 0) fail("cannot write ", file, errno);
-  tell(file, descriptor);
   ::close(descriptor);
 }
 
-FileWatcher::FileWatcher() {
-  const std::scoped_lock lock(watchers_mutex);
-  watchers.push_back(this);
+std::ifstream regular_file(const fs::path& file) {
+  std::ifstream stream;
+  std::error_code failed;
+  if (fs::is_regular_file(file, failed)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) stream.setstate(std::ios::failbit);
+  return stream;
 }
 
-FileWatcher::~FileWatcher() {
+FileMark mark_of(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) fail("cannot read ", file, errno);
+  FileMark mark{.bytes = static_cast<std::uint64_t>(std::max<off_t>(0, lseek(descriptor, 0, SEEK_END)))};
+  lseek(descriptor, 0, SEEK_SET);
+  mark.hash = hash_of_bytes(descriptor, mark.bytes).value();
+  ::close(descriptor);
+  return mark;
+}
+
+FileWatch::FileWatch(Hear hear) : hear_(std::move(hear)) {
   const std::scoped_lock lock(watchers_mutex);
-  std::erase(watchers, this);
+  watchers.push_back(&hear_);
+}
+
+FileWatch::~FileWatch() {
+  const std::scoped_lock lock(watchers_mutex);
+  std::erase(watchers, &hear_);
 }
 
 OutputFile::OutputFile(const fs::path& file, std::string_view headings)
@@ -180,7 +199,7 @@ OutputFile::OutputFile(const fs::path& file, std::string_view headings)
 
 OutputFile OutputFile::at_once(const fs::path& file) {
   refuse_to_replace(file);
-  tell(file, -1);
+  plan(file);
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = made_beside(partial);
   return {file, partial, descriptor, Ending::is_new_or_nothing};
@@ -190,7 +209,7 @@ OutputFile OutputFile::replacing(const fs::path& file) {
   const fs::file_type there = type_of(file);
   if (there != fs::file_type::not_found && there != fs::file_type::regular)
     refuse(file, there == fs::file_type::directory ? "it is a directory" : "it is no regular file");
-  tell(file, -1);
+  plan(file);
   std::string partial = file.string() + ".partial-XXXXXX";
   const int descriptor = made_beside(partial);
   return {file, partial, descriptor, Ending::replaces};
@@ -199,7 +218,7 @@ OutputFile OutputFile::replacing(const fs::path& file) {
 OutputFile OutputFile::rewriting(const fs::path& file) {
   const fs::path partial = partial_of(file);
   if (is_regular(partial)) unlink(partial.c_str());
-  tell(file, -1);
+  plan(file);
   return {file, partial, made(partial), Ending::replaces};
 }
 
@@ -221,6 +240,12 @@ OutputFile OutputFile::reopened(const fs::path& file, const FileMark& mark) {
   const fs::path partial = partial_of(file);
   if (!is_regular(partial) && is_regular(file)) fs::rename(file, partial);
   Fnv1a hash;
+  if (mark.bytes > 0) {
+    std::string beginning(most_told, '\0');
+    std::ifstream stream = regular_file(partial);
+    stream.read(beginning.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(most_told, mark.bytes)));
+    tell_beginning(file, std::string_view(beginning).substr(0, static_cast<std::size_t>(stream.gcount())));
+  }
   const int descriptor = reopened_at(partial, mark, hash);
   return {file, partial, descriptor, Ending::is_new, mark.bytes, hash};
 }
@@ -246,6 +271,7 @@ OutputFile& OutputFile::operator<<(std::string_view text) {
 
 void OutputFile::flush() {
   std::string_view rest = buffer_;
+  if (written_ == 0 && !rest.empty()) tell_beginning(file_, rest);
   while (!rest.empty()) {
     const ssize_t n = write(descriptor_, rest.data(), rest.size());
     if (n < 0 && errno == EINTR) continue;
@@ -267,6 +293,8 @@ void OutputFile::close() {
 }
 
 void OutputFile::finish() {
+  const FileMark whole = mark();
+  tell(file_, {.what = FileNews::What::finished, .mark = whole});
   close();
   const bool renamed = ending_ == Ending::replaces ? rename(partial_.c_str(), file_.c_str()) == 0
                                                    : renamed_to_free_name(partial_, file_);

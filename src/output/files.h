@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,17 +25,18 @@ inline std::string number(double value) { return shortest(value); }
 // A cell of comma separated values: in quotes where it must be (RFC 4180).
 std::string csv_cell(std::string_view text);
 
-// Every member that writes throws FileError at the write that fails, for example on a full disk.
 // How far a file has come: what was written so far, to be known again.
 struct FileMark {
   std::uint64_t bytes = 0;
   std::uint64_t hash = Fnv1a().value();  // of these bytes
+  bool operator==(const FileMark&) const = default;
   void history(HistoryVisitor& visit, const std::string& name) {
     visit("bytes of " + name, bytes);
     visit("hash of " + name, hash);
   }
 };
 
+// Every member that writes throws FileError at the write that fails, for example on a full disk.
 class OutputFile {
  public:
   // Makes `file`.partial, to begin with a line of headings if there are any. Nothing may stand there, and nothing may
@@ -117,20 +120,42 @@ class OutputFile {
 // The whole text at once, in place of what stood there.
 void replace_file(const std::filesystem::path& file, std::string_view text);
 
-// Is called by every OutputFile for the file that it will be when finished: just before it is made (descriptor -1), and once
-// it is there, still empty, or reopened. One that throws keeps it from being made. By any thread.
-class FileWatcher {
- public:
-  FileWatcher();
-  virtual ~FileWatcher();
-  FileWatcher(const FileWatcher&) = delete;
-  FileWatcher& operator=(const FileWatcher&) = delete;
-  virtual void made(const std::filesystem::path& file, int descriptor) = 0;
+// What an OutputFile says of the file that it will be when finished, each before it is so.
+struct FileNews {
+  enum class What {
+    planned,   // about to be made
+    begins,    // with these bytes, while it has the ending .partial
+    grows,     // with these bytes; it has no ending, and others will add to it
+    finished,  // with these bytes in all; the ending goes
+  } what;
+  std::string beginning{};  // its first bytes, fifty at most
+  FileMark mark{};          // of one that is finished
 };
 
-// Makes the file if it is not there, and tells the watchers: for a file that lines are added to without an OutputFile. Throws
-// FileError.
-void begin_appending(const std::filesystem::path& file);
+// Hears of every file while it lives. What the function throws keeps the file from going on. Called by any thread, by one at a
+// time.
+class FileWatch {
+ public:
+  using Hear = std::function<void(const std::filesystem::path& file, const FileNews& news)>;
+  explicit FileWatch(Hear hear);
+  ~FileWatch();
+  FileWatch(const FileWatch&) = delete;
+  FileWatch& operator=(const FileWatch&) = delete;
+
+ private:
+  Hear hear_;
+};
+
+// Makes the file if it is not there: for one that lines are added to without an OutputFile. Tells with which bytes it begins.
+// Throws FileError.
+void begin_appending(const std::filesystem::path& file, std::string_view beginning);
+
+// The file, opened to be read, if it is a regular one: any other might let its reader wait for ever. Else a stream that has
+// failed, as of one that cannot be opened.
+std::ifstream regular_file(const std::filesystem::path& file);
+
+// Length and hash of what is in it.
+FileMark mark_of(const std::filesystem::path& file);
 
 // Number of files being written now, in all threads; may be asked in a signal handler.
 int files_being_written();

@@ -123,7 +123,7 @@ void remove_unfinished_markers(const fs::path& directory) {
 void refuse_foreign_directory(const fs::path& directory) {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(directory, failed)) {
-    if (is_unfinished_marker(entry.path())) continue;
+    if (is_unfinished_marker(entry.path()) || is_journal(entry.path())) continue;
     if (type_of(entry.path()) == fs::file_type::directory && marker_in(entry.path())) continue;
     const bool is_run = is_there(directory / "run.json") || is_there(directory / "run.json.partial");
     throw FileError(directory.string() + " is not empty and has no marker (" + marker_name + ") of furrow's" +
@@ -211,6 +211,7 @@ void OwnedDirectory::take(const std::vector<std::string>& files, Earlier earlier
   std::set<std::string> all = before;
   all.insert(files.begin(), files.end());
   for (const std::string& file : all) refuse_what_is_in_the_way(directory_, file, made_);
+  made_.begin();  // before anything is removed: it may fail
   // The marker of before still says whose the files are while they are removed.
   if (earlier == Earlier::replaced) {
     for (const std::string& file : before) discard(file);
@@ -253,7 +254,7 @@ void OwnedDirectory::keep_only(const std::vector<std::string>& files) {
 
 void OwnedDirectory::conclude(const std::string& standing) {
   write_marker(standing);
-  made_.forget();
+  made_.end();
   concluded_ = true;
 }
 

@@ -173,7 +173,7 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
                      .stops_when_interrupted = true};
   long steps = 0;
   const RunEnd end = run(system, *method, y, plan, [&](double t, const State& now, const JumpReport& report) {
-    series.see(system, t, now, report);
+    if (const std::optional<Observation> row = series.see(system, t, now, report)) validity.judge_row(t, *row);
     touch.see(system, t, now);
     if (point.steps == 0 || (clock.is_due(t) && !end_in_sight)) save_now();
     return ++steps % 64 != 0 || request.progress("running", t, time.end);

@@ -103,10 +103,11 @@ SeriesMemory Series::memory() {
           start_};
 }
 
-void Series::see(const System& system, double t, const State& y, const JumpReport& report) {
+std::optional<Observation> Series::see(const System& system, double t, const State& y, const JumpReport& report) {
   for (const Tear& tear : report.torn) add_tear(system, tear);
+  std::optional<Observation> row;
   if (due_.at(t)) {
-    add_rows(system, t, y);
+    row = add_rows(system, t, y);
     due_.take(t);
   }
   const std::vector<double>& times = scene_.output.frames;
@@ -114,6 +115,7 @@ void Series::see(const System& system, double t, const State& y, const JumpRepor
     frames_.add(system, t, displacement_of_first(system, t), y);
     ++pictures_;
   }
+  return row;
 }
 
 double Series::next_stop(double t) const {
@@ -148,8 +150,8 @@ void Series::add_drives(const System& system, double t, const std::vector<Force>
   }
 }
 
-void Series::add_rows(const System& system, double t, const State& y) {
-  const Observation seen = observe(system, t, y);
+Observation Series::add_rows(const System& system, double t, const State& y) {
+  Observation seen = observe(system, t, y);
   if (last_ < 0) start_ = seen.energy;
   last_ = t;
   for (std::size_t k = 0; k < seen.plate.size(); ++k) {
@@ -167,9 +169,11 @@ void Series::add_rows(const System& system, double t, const State& y) {
   motion_.row(t, seen.momentum.x, seen.momentum.y, seen.momentum.angular, seen.contacts, seen.overlap.depth,
               seen.overlap.relative, greatest_speed(system, y));
   const double now = wall_seconds();
-  if (now - flushed_ < flush_every) return;
-  flushed_ = now;
-  flush();
+  if (now - flushed_ >= flush_every) {
+    flushed_ = now;
+    flush();
+  }
+  return seen;
 }
 
 void Series::flush() {

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "output/files.h"
@@ -43,7 +44,8 @@ class Series {
   SeriesMemory memory();
 
   // Rows and frames that are due.
-  void see(const System& system, double t, const State& y, const JumpReport& report);
+  // What the row at t says, if there is one.
+  std::optional<Observation> see(const System& system, double t, const State& y, const JumpReport& report);
 
   // The next time at which something is due, for methods that choose their steps.
   double next_stop(double t) const;
@@ -61,7 +63,7 @@ class Series {
  private:
   std::vector<OutputFile*> files();
   void add_drives(const System& system, double t, const std::vector<Force>& forces);
-  void add_rows(const System& system, double t, const State& y);
+  Observation add_rows(const System& system, double t, const State& y);
   void add_tear(const System& system, const Tear& tear);
 
   const Scene& scene_;

@@ -161,7 +161,7 @@ Measurement::Measurement(std::string study, const Settings& settings, const Sour
 
 // A line that was cut short by a crash bears no seal.
 void Measurement::take_lines(const fs::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = regular_file(file);
   for (std::string line; std::getline(stream, line);) {
     const Json json = json_or_discarded(line);
     if (!broken_seal(json).empty() || json.at("study") != study_ || json.at("form") != earlier_.form()) continue;
@@ -215,6 +215,30 @@ std::vector<Json> Measurement::run(const std::vector<Task>& tasks) {
     values.push_back(std::move(results[k].value));
   }
   return values;
+}
+
+InputsToday::InputsToday(std::string study, const Numbers& kept, const Sources& sources)
+    : Measurement(std::move(study), {.quick = kept.quick()}, sources) {
+  earlier_ = kept;
+}
+
+std::vector<Json> InputsToday::run(const std::vector<Task>& tasks) {
+  std::vector<Json> values;
+  for (const Task& task : tasks) {
+    const Result* known = earlier_.find(task.key);
+    inputs_[task.key] = task.input;
+    if (!known) not_kept_.push_back(task.key);
+    values.push_back(known ? known->value : Json{{"failed", "is not kept"}});
+    if (known) note(task, known->value, known->cpu, earlier_.makers().at(known->maker));
+  }
+  return values;
+}
+
+void InputsToday::take(Result result, const Maker& maker) {
+  const Result* known = earlier_.find(result.key);
+  if (!known) not_kept_.push_back(result.key);
+  inputs_[result.key] = known && known->value == result.value ? known->input : "another";
+  Measurement::take(std::move(result), maker);
 }
 
 Recomputation::Recomputation(std::string study, const Numbers& kept, const Sources& sources, std::uint64_t draw,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 
 #include "report/numbers.h"
@@ -50,7 +51,7 @@ class Measurement {
   virtual const Numbers* compared_with() const { return nullptr; }
 
   // A result that others have measured, with what they say of how.
-  void take(Result result, const Maker& maker) { numbers_.add(std::move(result), maker); }
+  virtual void take(Result result, const Maker& maker) { numbers_.add(std::move(result), maker); }
 
   // All that run() has returned and what was taken, in that order.
   const Numbers& numbers() const { return numbers_; }
@@ -90,6 +91,23 @@ class Recomputation final : public Measurement {
   int compared_ = 0;
   bool numbers_there_ = false;
   std::vector<std::string> wrong_;
+};
+
+// What goes into the results of a study today, without a run: what is kept stands for what would be made.
+class InputsToday final : public Measurement {
+ public:
+  InputsToday(std::string study, const Numbers& kept, const Sources& sources);
+  std::vector<Json> run(const std::vector<Task>& tasks) override;
+  // A result that was taken over is its own input.
+  void take(Result result, const Maker& maker) override;
+  const Numbers* compared_with() const override { return &earlier_; }
+
+  const std::map<std::string, std::string>& inputs() const { return inputs_; }  // by key
+  const std::vector<std::string>& not_kept() const { return not_kept_; }        // keys
+
+ private:
+  std::map<std::string, std::string> inputs_;
+  std::vector<std::string> not_kept_;
 };
 
 }  // namespace furrow

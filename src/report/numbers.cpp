@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <set>
 #include <stdexcept>
 
 #include "output/build_info.h"
@@ -100,7 +99,10 @@ Result result_of(const Json& json, const std::vector<Names>& shared) {
           value_of(json, shared)};
 }
 
-bool same(const Maker& a, const Maker& b) { return json_of(a) == json_of(b); }
+std::string text_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
 
 }  // namespace
 
@@ -151,6 +153,24 @@ Maker this_maker(const Sources& sources) {
           .sources = sources};
 }
 
+std::size_t place_in(std::vector<Maker>& makers, const Maker& maker) {
+  const auto known = std::find(makers.begin(), makers.end(), maker);
+  const auto place = static_cast<std::size_t>(known - makers.begin());
+  if (known == makers.end()) makers.push_back(maker);
+  return place;
+}
+
+Maker maker_in(const Json& kept, const Json& result, const char* key) {
+  if (kept.contains("makers")) return maker_of(kept.at("makers").at(whole(result.at(key), "a result's maker")));
+  const std::string own = text_in(result, "commit");
+  return {.commit = own.empty() ? text_in(kept, "commit") : own,
+          .when = text_in(kept, "when"),
+          .compiler = {},
+          .flags = {},
+          .machine = text_in(kept, "machine"),
+          .sources = {}};
+}
+
 const Result* Numbers::find(const std::string& key) const {
   const auto found = places_.find(key);
   return found == places_.end() ? nullptr : &results_[found->second];
@@ -163,9 +183,7 @@ const Json& Numbers::at(const std::string& key) const {
 }
 
 void Numbers::add(Result result, const Maker& maker) {
-  const auto known = std::find_if(makers_.begin(), makers_.end(), [&](const Maker& m) { return same(m, maker); });
-  result.maker = static_cast<std::size_t>(known - makers_.begin());
-  if (known == makers_.end()) makers_.push_back(maker);
+  result.maker = place_in(makers_, maker);
   const auto [place, isnew] = places_.emplace(result.key, results_.size());
   if (isnew) {
     results_.push_back(std::move(result));
@@ -237,34 +255,6 @@ void Numbers::write(const std::filesystem::path& file) const {
   }
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   replace_file(file, text + "}\n");
-}
-
-Age age_of(const Numbers& numbers, const Sources& today) {
-  Age age;
-  std::set<std::string> changed;
-  std::vector<const Maker*> used;
-  for (const Maker& maker : numbers.makers()) used.push_back(&maker);
-  std::sort(used.begin(), used.end(), [](const Maker* a, const Maker* b) { return a->when < b->when; });
-  std::vector<std::vector<std::string>> since;
-  for (const Maker& maker : numbers.makers()) since.push_back(differing(maker.sources, today));
-  for (const Result& result : numbers.results()) {
-    const std::vector<std::string>& files = since.at(result.maker);
-    const bool old = !files.empty();
-    ++age.results;
-    age.old += old ? 1 : 0;
-    age.timed += result.timed ? 1 : 0;
-    age.old_timed += old && result.timed ? 1 : 0;
-    changed.insert(files.begin(), files.end());
-  }
-  age.changed.assign(changed.begin(), changed.end());
-  if (!used.empty()) {
-    age.first = used.front()->when;
-    age.last = used.back()->when;
-  }
-  for (const Maker* maker : used) {
-    if (age.commits.empty() || age.commits.back() != maker->commit) age.commits.push_back(maker->commit);
-  }
-  return age;
 }
 
 }  // namespace furrow

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -23,12 +24,21 @@ std::string now_in_utc();
 struct Maker {
   std::string commit, when, compiler, flags, machine;  // when: UTC, "2026-01-31T12:00:00Z"
   double load = 0;                                     // of the machine when it began, processes that want to run
-  Sources sources;                                     // those that decide the numbers
+  Sources sources;  // those that decide the numbers; empty in files of an earlier form, which do not say
+  bool operator==(const Maker&) const = default;
 };
 
 Maker this_maker(const Sources& sources);
 Json json_of(const Maker& maker);
 Maker maker_of(const Json& json);
+
+// The place of a maker in a list, to which it is added if it is new.
+std::size_t place_in(std::vector<Maker>& makers, const Maker& maker);
+
+// Of a file that is no study's: what its list "makers" has at the place that the result names under `key`. Of a file of
+// an earlier form, which has no such list, what the result or the file says of commit, day and machine. Throws
+// std::out_of_range or what nlohmann::json throws.
+Maker maker_in(const Json& kept, const Json& result, const char* key = "maker");
 
 struct Result {
   std::string key;    // names it among all results of the study: scene, method, settings, seed
@@ -77,14 +87,5 @@ class Numbers {
   std::vector<Result> results_;
   std::map<std::string, std::size_t> places_;
 };
-
-// How old the results are, against the sources of today.
-struct Age {
-  std::size_t results = 0, old = 0, timed = 0, old_timed = 0;
-  std::vector<std::string> changed;  // files, since the oldest results were made
-  std::string first, last;           // when the oldest and the newest results were made
-  std::vector<std::string> commits;  // of the makers of what is kept, oldest first
-};
-Age age_of(const Numbers& numbers, const Sources& today);
 
 }  // namespace furrow

@@ -33,7 +33,7 @@ std::string broken_seal(const ordered_json& kept) {
 
 ordered_json read_sealed(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) throw FileError(file.string() + ": is a directory");
-  std::ifstream stream(file);
+  std::ifstream stream = regular_file(file);
   if (!stream) throw FileError("cannot read " + file.string());
   ordered_json kept = json_or_discarded(stream);
   if (kept.is_discarded()) throw FileError(file.string() + ": is no JSON, or cut short");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace furrow {
 namespace {
@@ -12,16 +13,81 @@ constexpr std::array state_path{"src/physics/",          "src/system/",       "s
                                 "src/scene/border",      "src/scene/scene.h", "src/scene/lattice_", "src/scene/stem.",
                                 "src/scene/unit_vector."};
 
-}  // namespace
+using Beginnings = std::vector<std::string>;
 
-Sources that_decide(const Sources& all, const std::vector<std::string>& own) {
+const Beginnings judge{"verification/engines/asked.",          "verification/engines/case.",
+                       "verification/engines/convergence.",    "verification/engines/judge.",
+                       "verification/engines/program_engine.", "verification/engines/transform."};
+
+Beginnings and_judge(Beginnings own) {
+  own.insert(own.end(), judge.begin(), judge.end());
+  return own;
+}
+
+// Each page of verification is a fault's judge; of the studies those that pages call.
+Beginnings of_faults() {
+  Beginnings own{"tests/studies/work_precision_counts.",
+                 "benchmarks/studies/measured_run.",
+                 "benchmarks/studies/reference.",
+                 "src/output/schedule.",
+                 "src/report/cases.",
+                 "src/report/linearise.",
+                 "verification/fault_study/trial.",
+                 "verification/fault_study/workshop."};
+  for (const auto& [file, hash] : sources_of_this_program()) {
+    if (file.starts_with("verification/") && file.find('/') == file.rfind('/')) own.push_back(file);
+  }
+  for (const char* study :
+       {"amplification.", "blow_up.", "growth.", "numbers_of_others.", "order_cure.", "order_hertz.", "order_observed.",
+        "order_predicted.", "order_problems.", "order_reference.", "order_trends.", "published_problems.",
+        "published_schemes.", "published_table.", "scene_stability."})
+    own.push_back(std::string("verification/studies/") + study);
+  return own;
+}
+
+struct Kept {
+  const char* what;
+  bool of_solver;
+  Beginnings (*own)();
+};
+const std::array<Kept, 5> kept{
+    {{"faults", true, of_faults},
+     {"judged_furrow", true,
+      [] {
+        return and_judge({"verification/engines/furrow_engine.", "verification/engines/observer."});
+      }},
+     {"judged_independent", false,
+      [] {
+        return and_judge({"verification/engines/independent", "verification/engines/observer."});
+      }},
+     {"judged_others", false, [] { return and_judge({"verification/engines/adapters/"}); }},
+     {"times", true, [] { return Beginnings{}; }}}};
+
+Sources beginning(const Sources& all, const Beginnings& with) {
   Sources some;
   for (const auto& one : all) {
-    const auto begins = [&one](const std::string& with) { return one.first.starts_with(with); };
-    if (std::any_of(state_path.begin(), state_path.end(), begins) || std::any_of(own.begin(), own.end(), begins))
+    if (std::any_of(with.begin(), with.end(), [&](const std::string& b) { return one.first.starts_with(b); }))
       some.insert(one);
   }
   return some;
+}
+
+}  // namespace
+
+Sources that_decide(const Sources& all, const std::vector<std::string>& own) {
+  Sources some = beginning(all, own);
+  some.merge(beginning(all, {state_path.begin(), state_path.end()}));
+  return some;
+}
+
+Sources that_decide(const std::string& what) {
+  std::string known;
+  for (const Kept& one : kept) {
+    const Sources& all = sources_of_this_program();
+    if (what == one.what) return one.of_solver ? that_decide(all, one.own()) : beginning(all, one.own());
+    known += (known.empty() ? "" : ", ") + std::string(one.what);
+  }
+  throw std::invalid_argument("nothing that is kept is called '" + what + "'; there are " + known);
 }
 
 std::vector<std::string> differing(const Sources& a, const Sources& b) {

@@ -16,6 +16,14 @@ const Sources& sources_of_this_program();
 // makes the start of a scene), and the study's own files, each given by the beginning of its path.
 Sources that_decide(const Sources& all, const std::vector<std::string>& own);
 
+// The same for what is kept and is no study. Throws std::invalid_argument that lists what there is.
+//   "faults"              verdicts of the fault study: the solver, and all that its tests call
+//   "judged_furrow"       what the judge says of furrow: the solver and the judge
+//   "judged_independent"  of the engine that shares nothing with it: this engine and the judge
+//   "judged_others"       of other programs: the judge and the small programs that ask them
+//   "times"               the solver
+Sources that_decide(const std::string& what);
+
 // The files that are not the same in both, or are in one alone; sorted.
 std::vector<std::string> differing(const Sources& a, const Sources& b);
 

@@ -129,6 +129,13 @@ std::vector<std::string> run_study(const Study& study, const Settings& settings,
   return refuted(chapter.json(), rests_on_old_times(study, shelf, all));
 }
 
+AgeToday age_today(const Study& study, const Numbers& kept) {
+  const Sources sources = study.sources();
+  InputsToday today(study.name, kept, sources);
+  study.measure(today);
+  return {age_of(kept, {[&](const Result&) -> const Sources& { return sources; }, today.inputs()}), today.not_kept()};
+}
+
 Checked check_study(const Study& study, const fs::path& directory, std::uint64_t draw, double most_cpu) {
   const fs::path file = directory / (study.name + ".json");
   const Numbers kept = Numbers::read(file);

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "report/age.h"
 #include "report/measurement.h"
 
 namespace furrow {
@@ -90,6 +91,14 @@ bool holds_today(const Json& claim, bool old_times);
 // Measures the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold today, where
 // those of `all` that it reads count too. Throws Interrupted.
 std::vector<std::string> run_study(const Study& study, const Settings& settings, const std::vector<Study>& all = {});
+
+// How old the kept numbers are, with what goes into each today compared; nothing is run. `not_kept`: keys of results that
+// the study would make today and that are not there.
+struct AgeToday {
+  Age age;
+  std::vector<std::string> not_kept;
+};
+AgeToday age_today(const Study& study, const Numbers& kept);
 
 // Makes a sample of the study's cheap kept numbers anew: what did not come out, a line each.
 struct Checked {

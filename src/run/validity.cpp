@@ -153,6 +153,8 @@ void Validity::see(const Step& given, const JumpReport& report) {
   started_ = true;
 }
 
+bool Validity::is_early() const { return balanced_steps_ < early_until; }
+
 void Validity::look_at_energy(const Step& step) {
   if (!system_.keeps_ledger()) return;
   if (!started_) return book(step.t, observe(system_, step.t, step.after));
@@ -160,7 +162,7 @@ void Validity::look_at_energy(const Step& step) {
   ++balanced_steps_;
   const bool warned =
       std::max(of(WatchKind::energy_made).verdict(), of(WatchKind::energy_lost).verdict()) >= Verdict::warned;
-  const bool early = balanced_steps_ < early_until;
+  const bool early = is_early();
   if (since_booked_ < (early || warned ? std::min(closely_every, balance_every_) : balance_every_)) return;
   since_booked_ = 0;
   judge_energy(step.t, observe(system_, step.t, step.after), early);
@@ -262,6 +264,12 @@ void Validity::look_at_arrival(double t) {
 void Validity::book(double t, const Observation& seen) {
   since_booked_ = 0;
   judge_energy(t, seen, false);
+}
+
+void Validity::judge_row(double t, const Observation& seen) {
+  if (!system_.keeps_ledger()) return;
+  since_booked_ = 0;
+  judge_energy(t, seen, is_early());
 }
 
 void Validity::judge_energy(double t, const Observation& seen, bool early) {

@@ -95,8 +95,11 @@ class Validity {
   // After each accepted step, or the start (h = 0), and its jump.
   void see(const Step& step, const JumpReport& report);
 
-  // Checks the energy; `seen` is of the state at t.
+  // Checks the energy at the end of what was seen; `seen` is of the state at t.
   void book(double t, const Observation& seen);
+
+  // Checks the energy that an observer has computed on the way, as it is checked at every n-th step.
+  void judge_row(double t, const Observation& seen);
 
   // At the end of the run: judges what was postponed.
   void conclude();
@@ -121,6 +124,7 @@ class Validity {
   // Early, what a first-order method is off in its n-th step, 1/n of what came since the start, ends no run (twice that is
   // taken off), and is not yet worth a warning. What plates do
   // in the step in which they touch the method cannot know yet.
+  bool is_early() const;
   void judge_energy(double t, const Observation& seen, bool early);
   // Sets how far the survey looks: a centre that is closer to a plate may reach it in a step, or in the next one at twice
   // the speed.

@@ -161,7 +161,7 @@ TEST_F(Judging, AReportSaysWhatItWasNotGivenAndWhatMakesIt) {
 }
 
 TEST_F(Judging, AReportOfARunThatDivergedExitsThreeAndSaysWhich) {
-  write_scene("1", "0.05", "1.2");
+  write_scene("1", "0.4", "1.2");
   write_checks(false);
   EXPECT_EQ(furrow("report --scenes scenes --out page --checks checks.json").code, 3) << err();
   EXPECT_NE(err().find("scenario_1 diverged"), std::string::npos) << err();

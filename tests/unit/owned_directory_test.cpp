@@ -2,70 +2,25 @@
 
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
-#include "tests/files.h"
+#include "owned_directories.h"
 
 namespace furrow {
 namespace {
 
-namespace fs = std::filesystem;
-using test::text_of;
-
-const std::vector<std::string> all{"a.csv", "run.json", "frames/one.csv"};
-
-class OwnedDirectories : public testing::Test {
- protected:
-  static void put(const fs::path& file, const std::string& text = "mine") {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << text;
-  }
-
-  // One that made all its files.
-  void make(const std::string& kind = "run") const {
-    OwnedDirectory directory(place_, kind, all);
-    for (const std::string& file : all) OutputFile(place_ / file).finish();
-    directory.conclude("finished");
-  }
-
-  // What is there, links not followed: name and what it holds.
-  std::map<std::string, std::string> contents() const {
-    std::map<std::string, std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(home_)) {
-      const bool is_link = entry.is_symlink();
-      found[fs::relative(entry.path(), home_)] = is_link ? "-> " + fs::read_symlink(entry.path()).string()
-                                                 : entry.is_regular_file() ? text_of(entry.path())
-                                                                           : "directory";
-    }
-    return found;
-  }
-
-  // The words with which the directory is refused; nothing may have changed.
-  std::string refusal(const std::string& kind = "run") const {
-    const auto before = contents();
-    std::string words = "not refused";
-    try {
-      OwnedDirectory(place_, kind, all);
-    } catch (const FileError& error) {
-      words = error.what();
-    }
-    EXPECT_EQ(contents(), before);
-    return words;
-  }
-  static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-  const test::OwnDirectory own_;
-  const fs::path home_ = own_.path();
-  fs::path place_ = home_ / "run";
-};
+using namespace test;
 
 TEST_F(OwnedDirectories, MarkerSaysWhoOwnsWhatFromTheFirstMoment) {
   OwnedDirectory directory(place_, "run", all);
@@ -87,7 +42,7 @@ TEST_F(OwnedDirectories, AnOwnersFilesAreReplacedAndNoOthers) {
   put(place_ / "notes.txt");
   put(place_ / "frames/mine.csv");
   OwnedDirectory again(place_, "run", {"b.csv"});
-  EXPECT_EQ(contents().size(), 5U);  // run, its marker, notes, frames and what is in it
+  EXPECT_EQ(contents().size(), 6U);  // run, its marker and journal, notes, frames and what is in it
   EXPECT_EQ(text_of(place_ / "notes.txt"), "mine");
   EXPECT_EQ(text_of(place_ / "frames/mine.csv"), "mine");
 }
@@ -98,23 +53,15 @@ TEST_F(OwnedDirectories, AFileThatAnotherPutInThePlaceOfOnesOwnIsNotReplaced) {
   EXPECT_TRUE(has(refusal(), "a.csv is in the way: it is not the file that furrow wrote"));
 }
 
-// As if killed, after it had made one of its files and written to it.
-TEST_F(OwnedDirectories, OfAKilledOneWhatItMadeIsReplacedAndWhatItOnlyMeantToMakeIsNot) {
-  const pid_t child = fork();
-  if (child == 0) {
-    OwnedDirectory directory(place_, "run", all);
-    OutputFile file(place_ / "a.csv");
-    file << "rows";
-    file.flush();
-    _exit(0);
-  }
-  waitpid(child, nullptr, 0);
-  ASSERT_EQ(text_of(place_ / "a.csv.partial"), "rows");
-  put(place_ / "frames/one.csv");
-  EXPECT_TRUE(has(refusal(), "frames/one.csv is in the way: it is not a file of furrow's"));
-  fs::remove(place_ / "frames/one.csv");
-  make();
-  EXPECT_FALSE(fs::exists(place_ / "a.csv.partial"));
+// They hear of the files of all threads, so also while they begin and end.
+TEST_F(OwnedDirectories, MayEndWhileOtherThreadsMakeFiles) {
+  std::atomic<bool> done = false;
+  fs::create_directory(home_ / "other");
+  std::jthread other([&] {
+    for (int k = 0; !done; ++k) replace_file(home_ / "other" / std::to_string(k % 10), "words");
+  });
+  for (int k = 0; k < 300; ++k) OwnedDirectory(place_, "run", all).conclude("finished");
+  done = true;
 }
 
 TEST_F(OwnedDirectories, ADirectoryGoesWithItsLastFile) {

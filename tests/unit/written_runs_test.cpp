@@ -40,6 +40,26 @@ Scene spinning() {
   return scene;
 }
 
+// A disc of 0.01 m that comes to a wall in steps of a tenth of the contact, and 20 that rest far away. Of so many each 14th step
+// is looked at without a row, and what verlet is off in the middle of the contact is gone by then.
+TEST(WrittenRuns, TheEnergyIsWatchedInEveryRow) {
+  Scene scene = empty_scene();
+  scene.material[0].young = 8e9;
+  scene.wall = {wall({0, 0}, {0, 1})};
+  scene.disc = {disc({0, 0.0105}, 0.01, {0, -1})};
+  for (int k = 1; k <= 20; ++k) scene.disc.push_back(disc({1.0 * k, 0.5}, 0.01));
+  scene.time = {.end = 0.012, .step = 2e-4, .method = "verlet"};
+  scene.output.interval = 2e-4;
+  scene.allow = {.energy_made = 1, .energy_lost = 1, .overlap = 1, .step = 10};
+  const Written written(scene);
+  const Csv energy = written.csv("energy.csv");
+  double worst = 0;
+  for (int row = 0; row < 60; ++row)
+    worst = std::max(worst, energy.number(row, "residual [J]") / energy.number(0, "kinetic [J]"));
+  ASSERT_GT(worst, 0.1) << "or nothing was tried";
+  EXPECT_NEAR(written.json["validity"]["energy_made"]["worst"].get<double>(), worst, 1e-9);
+}
+
 TEST(WrittenRuns, SpinsAndWhatFrictionTookAreThoseOfTheState) {
   const KnownRun known(spinning());
   const Written written(spinning());

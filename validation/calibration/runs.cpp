@@ -48,7 +48,7 @@ Runs::Runs(const fs::path& directory, unsigned jobs, std::function<bool(long)> h
   read(file);
   fs::create_directories(directory);
   const bool cut = ends_within_a_line(file);
-  begin_appending(file);
+  begin_appending(file, beginning);
   out_.open(file, std::ios::app);
   if (cut) out_ << "\n";
   if (!out_) throw FileError("cannot write " + file.string());
@@ -56,7 +56,7 @@ Runs::Runs(const fs::path& directory, unsigned jobs, std::function<bool(long)> h
 
 // A line that was cut short by a crash bears no seal; the next one begins on a line of its own.
 void Runs::read(const fs::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = regular_file(file);
   for (std::string line; std::getline(stream, line);) {
     Json json = Json::parse(line, nullptr, false);
     if (broken_seal(json).empty()) kept_[json.at("input")] = json.at("value");

@@ -35,6 +35,8 @@ std::string unusable(const fs::path& file, const Check& check) {
     return why.empty() ? "" : file.string() + ": " + why;
   } catch (const FileError& error) {
     return error.what();
+  } catch (const std::exception& error) {
+    return file.string() + ": " + error.what();
   }
 }
 
@@ -82,6 +84,7 @@ std::string unfit_faults(const ordered_json& study) {
   for (const ordered_json& result : results) {
     const std::string name = result.is_object() ? text_in(result, "name") : "";
     if (name.empty()) return "a fault without a name";
+    if (maker_in(study, result).commit.empty()) return name + " does not say by which commit it was tried";
     if (result.contains("trouble")) return name + " could not be tried: " + text_in(result, "trouble");
     if (text_in(result, "kind") == "fault" && list_in(result, "failed").empty()) return name + " was not noticed";
     if (result.contains("by_property") && list_in(result, "by_property").empty())

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "report/embedded.h"
+#include "validation/page/age_words.h"
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
+#include "validation/page/kept_files.h"
 
 namespace furrow::validation {
 namespace {
@@ -134,29 +136,15 @@ std::string silent_table(const ordered_json& tests, Page& page) {
          "</details>";
 }
 
-// "Tried on commits 63b8b18 and e6239ba"; of the property with another key.
-std::string commits(const ordered_json& study, const char* key = "commit") {
-  std::vector<std::string> all;
-  for (const ordered_json& result : study.at("results")) {
-    const std::string commit = result.value(key, study.at("commit").get<std::string>());
-    const bool asked = std::string(key) == "commit" || result.contains("by_property");
-    if (asked && std::find(all.begin(), all.end(), commit) == all.end()) all.push_back(commit);
-  }
-  std::string list;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    list += (k == 0 ? "" : k + 1 < all.size() ? ", " : " and ") + escaped(all[k]);
-  return (all.size() > 1 ? "Tried on commits " : "Tried on commit ") + list;
-}
-
 // Of the faults in the kernel; empty if the property was not asked.
-std::string property_sentence(const std::vector<ordered_json>& faults, const ordered_json& study) {
+std::string property_sentence(const std::vector<ordered_json>& faults) {
   const auto asked =
       std::count_if(faults.begin(), faults.end(), [](const ordered_json& f) { return f.contains("by_property"); });
   if (asked == 0) return {};
   return std::to_string(asked) +
          " of them are in the fast kernel. These were also given to the test that holds the kernel against the "
          "reference, to the bit, and to nothing else: it noticed " +
-         std::to_string(noticed_by_property(faults)) + ". " + commits(study, "property_commit") + ".";
+         std::to_string(noticed_by_property(faults)) + ".";
 }
 
 std::string untried_sentence(const ordered_json& study) {
@@ -192,11 +180,12 @@ std::string faults_part(const ordered_json& study, Page& page) {
   std::string html = element(
       "p", std::to_string(faults.size()) +
                " faults were put into the source, one at a time; the verification tests noticed " +
-               std::to_string(noticed) + ". " + commits(study) +
+               std::to_string(noticed) +
                ". A number says how many tests of a page fail. A dash: the page was not run, because it measures "
                "methods, the fault is not in one, and other pages noticed it.");
   if (const std::string words = untried_sentence(study); !words.empty()) html += element("p", words);
-  if (const std::string words = property_sentence(faults, study); !words.empty()) html += element("p", words);
+  if (const std::string words = property_sentence(faults); !words.empty()) html += element("p", words);
+  html += element("p", escaped(words_of(numbers_of_faults(study), age_of_faults(study))), "note");
   html += "<details class=\"unfold\"><summary>Each fault and who notices it</summary>" + matrix(faults, study, page) +
           "</details>";
   if (!constants.empty()) html += constants_table(constants, page);

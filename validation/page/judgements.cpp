@@ -7,7 +7,9 @@
 
 #include "output/files.h"
 #include "report/seal.h"
+#include "validation/page/age_words.h"
 #include "validation/page/html.h"
+#include "validation/page/kept_files.h"
 
 namespace furrow::validation {
 namespace {
@@ -131,12 +133,17 @@ std::string counts(const Json& kept, Page& page) {
 std::string unusable_judgements(const std::filesystem::path& file) {
   try {
     const Json kept = read_sealed(file);
-    for (const char* key : {"commit", "when", "machine", "cases", "engines"}) {
+    for (const char* key : {"cases", "engines"}) {
       if (!kept.contains(key)) return file.string() + ": does not say its " + key;
+    }
+    for (const Json& engine : kept.at("engines")) {
+      if (maker_in(kept, engine).commit.empty()) return file.string() + ": does not say by which commit";
     }
     return kept.at("engines").empty() ? file.string() + ": holds no engines" : "";
   } catch (const FileError& error) {
     return error.what();
+  } catch (const std::exception& error) {
+    return file.string() + ": is not what scripts/judge keeps (" + error.what() + ")";
   }
 }
 
@@ -155,7 +162,12 @@ std::string judged_in_short(const std::filesystem::path& file) {
     words += (words.empty() ? "" : ", ") + escaped(name.substr(0, name.find(' '))) + " " +
              std::to_string(number("right")) + " of " + std::to_string(can);
   }
-  return words.empty() ? words : "Right, of the verification cases that they can express: " + words + ".";
+  if (words.empty()) return words;
+  const Age age = age_of_judgements(kept);
+  return "Right, of the verification cases that they can express: " + words + "." +
+         (age.old > 0 ? " " + std::to_string(age.old) + " of " + std::to_string(age.results) +
+                            " verdicts are older than the solver or the judge."
+                      : "");
 }
 
 std::string judgements_section(const std::filesystem::path& file, const std::string& number, Page& page) {
@@ -188,9 +200,8 @@ std::string judgements_section(const std::filesystem::path& file, const std::str
          std::to_string(kept.at("cases").size()) + " cases by all engines</summary>" + matrix(kept, page) +
          "</details>\n" +
          element("p",
-                 "By <code>scripts/judge --keep</code>, " + escaped(kept.at("when").get<std::string>().substr(0, 10)) +
-                     ", commit " + escaped(kept.at("commit").get<std::string>()) + " on " +
-                     escaped(kept.at("machine").get<std::string>()) + ".",
+                 age_chip(age_of_judgements(kept)) + " By <code>scripts/judge --keep</code>: " +
+                     escaped(words_of(numbers_of_judgements(kept), age_of_judgements(kept))),
                  "note") +
          "</section>\n";
 }

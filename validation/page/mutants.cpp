@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "output/files.h"
 #include "output/strict_json.h"
 #include "validation/page/html.h"
 
@@ -12,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json read(const std::filesystem::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = regular_file(file);
   return json_or_discarded(stream);
 }
 

@@ -6,9 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "validation/page/age_words.h"
 #include "validation/page/evidence.h"
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
+#include "validation/page/kept_files.h"
 #include "validation/page/template.h"
 
 namespace furrow::validation {
@@ -125,25 +127,6 @@ std::string figure_of(const ordered_json& part, Page& page) {
   return "<details class=\"unfold\">" + element("summary", text(part, "folded")) + html + "</details>\n";
 }
 
-std::string listed(const std::vector<std::string>& all, std::size_t most) {
-  std::string list;
-  for (std::size_t k = 0; k < std::min(most, all.size()); ++k) list += (k == 0 ? "" : ", ") + all[k];
-  return list + (all.size() > most ? " and " + std::to_string(all.size() - most) + " more" : "");
-}
-
-std::string words_of(const Numbers& numbers, const Age& age) {
-  std::set<std::string> machines;
-  for (const Maker& maker : numbers.makers())
-    machines.insert(maker.machine.empty() ? "no known machine" : maker.machine);
-  std::string words =
-      std::to_string(age.results) + " results, made " + (age.first.empty() ? "some day" : age.first.substr(0, 10)) +
-      (age.last.substr(0, 10) != age.first.substr(0, 10) ? " to " + age.last.substr(0, 10) : "") + " by commit " +
-      listed(age.commits, 5) + " on " + listed({machines.begin(), machines.end()}, 3) + ". ";
-  if (age.old == 0) return words + "All are of today's solver.";
-  return words + std::to_string(age.old) +
-         " of them were made before these sources changed: " + listed(age.changed, 8) + ".";
-}
-
 std::string id_of_claim(const StudyResult& result, std::size_t k) {
   return "claim_" + result.name + "_" + std::to_string(k + 1);
 }
@@ -180,9 +163,7 @@ const Study* of_the_page(const Evidence& evidence, const std::string& name) {
                         [&](const Study& s) { return s.name == name; });
 }
 
-}  // namespace
-
-std::string ages_in_words(const Evidence& evidence) {
+std::string ages_of_studies(const Evidence& evidence) {
   if (evidence.studies.empty()) return {};
   const Shelf shelf(evidence.studies);
   std::size_t results = 0, old = 0;
@@ -199,6 +180,16 @@ std::string ages_in_words(const Evidence& evidence) {
   }
   return std::to_string(results - old) + " of " + std::to_string(results) +
          " numbers of studies are of today's solver" + which;
+}
+
+}  // namespace
+
+std::string ages_in_words(const Evidence& evidence) {
+  std::string words = ages_of_studies(evidence);
+  for (const KeptFile& file : kept_files(evidence))
+    words += (words.empty() ? "" : "; ") + file.id + ": " + std::to_string(file.age.results - file.age.old) + " of " +
+             std::to_string(file.age.results);
+  return words;
 }
 
 std::vector<StudyResult> study_results(const Evidence& evidence) {
@@ -223,12 +214,6 @@ std::vector<StudyResult> study_results(const Evidence& evidence) {
     results.push_back(std::move(result));
   }
   return results;
-}
-
-std::string age_chip(const Age& age) {
-  if (age.old == 0) return "<span class=\"chip good\">✓ today's solver</span>";
-  return "<span class=\"chip bad\">" + std::to_string(age.old) + " of " + std::to_string(age.results) +
-         " older than the solver</span>";
 }
 
 std::string chapter_html(const StudyResult& result, const std::string& number, Page& page) {

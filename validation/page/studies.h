@@ -24,7 +24,8 @@ struct StudyResult {
 // Those of all studies that can be shown, in the order of the page; what cannot is said by missing_evidence.
 std::vector<StudyResult> study_results(const Evidence& evidence);
 
-// "8123 of 8463 numbers of studies are of today's solver; older: responses (12 of 20), ..."; empty if none are shown.
+// "8123 of 8463 numbers of studies are of today's solver; older: responses (12 of 20), ...", and
+// the same of faults and judgements; empty if none are shown.
 std::string ages_in_words(const Evidence& evidence);
 
 // HTML. The figures go to the page's files. Throws std::runtime_error if gnuplot fails.
@@ -32,9 +33,6 @@ std::string chapter_html(const StudyResult& result, const std::string& number, P
 std::string study_section(const StudyResult& result, const std::string& number, Page& page);
 // The figure that goes with its headline.
 std::string first_figure(const StudyResult& result, Page& page);
-
-// "today's solver", or how many numbers are older, as a sign.
-std::string age_chip(const Age& age);
 
 // A claim that does not hold, or is not shown today.
 struct Refuted {

@@ -5,9 +5,10 @@
 
 #include "output/build_info.h"
 #include "output/machine.h"
-#include "report/seal.h"
+#include "validation/page/age_words.h"
 #include "validation/page/html.h"
 #include "validation/page/judgements.h"
+#include "validation/page/kept_files.h"
 #include "validation/page/mutants.h"
 #include "validation/page/page_parts.h"
 
@@ -44,6 +45,7 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
   if (v.faults > 0)
     words += " " + grouped(v.noticed) + " of " + grouped(v.faults) +
              " faults put into the source on purpose were noticed" +
+             (v.old > 0 ? ", " + grouped(v.old) + " of them by an older solver or older tests" : "") +
              (v.untried > 0 ? "; " + grouped(v.untried) + " more are not tried yet." : ".");
   if (const std::string edits = mutants_in_short(evidence.mutants); !edits.empty())
     words += " Tests notice " + edits + ".";
@@ -160,26 +162,17 @@ std::string failing(const std::vector<StudyResult>& studies) {
 // "2026-01-31"; of results that do not say when, a dash.
 std::string when(const std::string& utc) { return utc.size() < 10 ? "–" : utc.substr(0, 10); }
 
-std::string makers_of(const StudyResult& study) {
-  std::string commits, machines;
-  for (const std::string& commit : study.numbers.commits) commits += (commits.empty() ? "" : ", ") + escaped(commit);
-  for (const std::string& machine : study.machines) machines += (machines.empty() ? "" : ", ") + escaped(machine);
-  return commits + element("small", machines);
+std::string makers_of(const Age& age, const std::set<std::string>& machines) {
+  return escaped(listed(age.commits, age.commits.size())) +
+         element("small", escaped(listed({machines.begin(), machines.end()}, machines.size())));
 }
 
-// Of a file that is no study: it says what made it, not of which solver's sources.
-std::string age_of_file(const std::string& unusable, const std::filesystem::path& file, const std::string& id,
-                        const std::string& title, const char* counted, const std::string& command) {
-  if (file.empty() || !unusable.empty()) return {};
-  const Json kept = read_sealed(file);
-  const std::string made = kept.value("when", "");
-  return element(
-      "tr",
-      "<th scope=\"row\"><a href=\"#" + id + "\">" + title + "</a></th>" +
-          element("td", std::to_string(kept.at(counted).size()), "number") + element("td", when(made), "when") +
-          element("td", when(made), "when") +
-          element("td", escaped(kept.value("commit", "")) + element("small", escaped(kept.value("machine", "")))) +
-          element("td", "as of that commit") + element("td", "<code>" + command + "</code>", "command"));
+std::string row_of(const std::string& id, const std::string& title, std::size_t entries, const Age& age,
+                   const std::string& makers, const std::string& command) {
+  return element("tr", "<th scope=\"row\"><a href=\"#" + id + "\">" + title + "</a></th>" +
+                           element("td", std::to_string(entries), "number") + element("td", when(age.first), "when") +
+                           element("td", when(age.last), "when") + element("td", makers) +
+                           element("td", age_chip(age)) + element("td", "<code>" + command + "</code>", "command"));
 }
 
 }  // namespace
@@ -193,19 +186,14 @@ std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence
 
 std::string ages(const std::vector<StudyResult>& studies, const Evidence& evidence, Page& page) {
   std::string rows;
-  for (const StudyResult& study : studies) {
-    rows += element("tr", "<th scope=\"row\"><a href=\"#study_" + study.name + "\">" +
-                              typeset(escaped(study.report.at("title").get<std::string>())) + "</a></th>" +
-                              element("td", std::to_string(study.numbers.results), "number") +
-                              element("td", when(study.numbers.first), "when") +
-                              element("td", when(study.numbers.last), "when") + element("td", makers_of(study)) +
-                              element("td", age_chip(study.numbers)) +
-                              element("td", "<code>" + study.made_by + "</code>", "command"));
+  for (const StudyResult& study : studies)
+    rows += row_of("study_" + study.name, typeset(escaped(study.report.at("title").get<std::string>())),
+                   study.numbers.results, study.numbers, makers_of(study.numbers, study.machines), study.made_by);
+  for (const KeptFile& file : kept_files(evidence)) {
+    std::set<std::string> machines;
+    for (const Maker& maker : file.numbers.makers()) machines.insert(maker.machine);
+    rows += row_of(file.id, file.title, file.entries, file.age, makers_of(file.age, machines), file.made_by);
   }
-  rows += age_of_file(unusable_faults(evidence.faults), evidence.faults, "faults", "Faults that they notice", "results",
-                      "scripts/faults");
-  rows += age_of_file(unusable_judgements(evidence.judgements), evidence.judgements, "judgements",
-                      "Engines judged by the same cases", "engines", "scripts/judge --keep");
   if (rows.empty()) return {};
   return framed({page.id("table ages"),
                  "When the kept numbers of each section were made, and whether the solver has changed since.",

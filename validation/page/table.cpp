@@ -48,7 +48,7 @@ std::filesystem::path run_path(const std::filesystem::path& file) {
 }
 
 std::string run_text(const std::filesystem::path& file) {
-  std::ifstream stream(run_path(file), std::ios::binary);
+  std::ifstream stream = regular_file(run_path(file));
   if (!stream) throw std::runtime_error(file.string() + ": no such file, or it cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
 }

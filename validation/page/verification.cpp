@@ -12,6 +12,7 @@
 #include "report/seal.h"
 #include "validation/page/faults.h"
 #include "validation/page/html.h"
+#include "validation/page/kept_files.h"
 #include "validation/page/mutants.h"
 #include "validation/page/packed.h"
 #include "validation/page/requirements.h"
@@ -200,6 +201,7 @@ Verdict verdict_of(const Evidence& evidence) {
       ++verdict.faults;
       verdict.noticed += fault.at("failed").empty() ? 0 : 1;
     }
+    verdict.old = std::min(verdict.faults, age_of_faults(study).old);
     verdict.untried = untried_faults(study).size();
   }
   return verdict;

@@ -13,6 +13,7 @@ std::size_t failed_checks(const Evidence& evidence);
 struct Verdict {
   std::string trouble;  // why the checks that were given do not count; empty if they do, or none were given
   std::size_t checks = 0, requirements = 0, failed = 0, faults = 0, noticed = 0, untried = 0;
+  std::size_t old = 0;  // faults that were tried before the solver, the tests or they themselves changed
 };
 Verdict verdict_of(const Evidence& evidence);
 

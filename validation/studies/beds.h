@@ -13,6 +13,10 @@ namespace furrow::validation {
 enum class Reading { disc, sphere };
 inline std::string to_string(Reading reading) { return reading == Reading::disc ? "disc" : "sphere"; }
 
+// s. Of the steps that the study of convergence tries the coarsest by which the method makes no more energy of spheres than
+// `furrow run` lets pass, a tenth of what the scene was given. By the paper's it makes thousands of times all of that.
+inline constexpr double step_for_spheres = 5e-6;
+
 // The scene file, its discs read as discs or spheres, its packing with that seed. The bed of spheres settles by 1e-5 s:
 // by the paper's 1e-4 s it never comes to rest.
 inline Scene paper_scene(const std::string& name, Reading reading, std::uint64_t seed) {

@@ -116,7 +116,7 @@ Json run_of(const Which& which, Extent extent) {
 }
 
 Json golden_in(const fs::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = regular_file(file);
   return stream ? json_or_discarded(stream) : Json();
 }
 

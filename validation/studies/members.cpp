@@ -59,9 +59,15 @@ Json only(const std::vector<std::string>& ids, const Json& observed) {
   return some;
 }
 
+Scene Member::made() const {
+  Scene made = paper_scene(scene, reading, seed);
+  if (reading == Reading::sphere) made.time.step = step_for_spheres;
+  return made;
+}
+
 Task Member::task() const {
-  const Scene made = paper_scene(scene, reading, seed);
-  return {key(), [made, of = scene] { return observed(made, of, Curve::kept); }, hash_of_observed(made, scene)};
+  const Scene run = made();
+  return {key(), [run, of = scene] { return observed(run, of, Curve::kept); }, hash_of_observed(run, scene)};
 }
 
 std::vector<Member> paper_members(bool quick) {

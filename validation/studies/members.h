@@ -22,12 +22,14 @@ Json observed(const Scene& made, const std::string& scene, Curve curve = Curve::
 // Those of the observables of a run, and why it failed if it did.
 Json only(const std::vector<std::string>& ids, const Json& observed);
 
+// One packing, by the paper's step if its discs are read as discs, else by step_for_spheres.
 struct Member {
   std::string scene;
   Reading reading = Reading::disc;
   std::uint64_t seed = 1;
   std::string group() const { return scene + " " + to_string(reading); }
   std::string key() const { return group() + " " + std::to_string(seed); }
+  Scene made() const;
   Task task() const;  // its observables
 };
 

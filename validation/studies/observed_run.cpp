@@ -76,7 +76,7 @@ RunRecord observed_run(Prepared prepared, const Timing& time, Watch watch) {
     }
     if (!due.at(t)) return true;
     const Observation seen = observe(system, t, y);
-    if (validity && prepared.scene.output.energy) validity->book(t, seen);
+    if (validity) validity->judge_row(t, seen);
     sample(t, seen.plate.at(0));
     due.take(t);
     return true;

@@ -12,14 +12,14 @@ namespace furrow::validation {
 class Once {
  public:
   explicit Once(const RunTasks& run) : run_(run) {}
-  void make(const std::vector<Task>& tasks) {
-    std::vector<Task> wanted;
+  void make(const std::vector<Wanted>& runs) {
+    std::vector<Wanted> unknown;
     std::set<std::string> keys;
-    for (const Task& task : tasks) {
-      if (!known_.contains(task.key) && keys.insert(task.key).second) wanted.push_back(task);
+    for (const Wanted& run : runs) {
+      if (!known_.contains(run.key) && keys.insert(run.key).second) unknown.push_back(run);
     }
-    const std::vector<Json> results = run_(wanted);
-    for (std::size_t k = 0; k < wanted.size(); ++k) known_[wanted[k].key] = results[k];
+    const std::vector<Json> results = run_(unknown);
+    for (std::size_t k = 0; k < unknown.size(); ++k) known_[unknown[k].key] = results[k];
   }
   bool knows(const std::string& key) const { return known_.contains(key); }
   const Json& of(const std::string& key) const { return known_.at(key); }

@@ -12,6 +12,12 @@ int Finalist::valid_runs() const {
   return static_cast<int>(count);
 }
 
+double ReadPoint::misfit(const std::vector<std::string>& scenes) const {
+  const auto [place, fresh] = misfits.try_emplace(scenes);
+  if (fresh) place->second = misfit_of(said, scenes);
+  return place->second;
+}
+
 const ReadPoint& ReadingsFound::at(const Interpretation& reading) const {
   const auto found =
       std::find_if(points.begin(), points.end(), [&](const ReadPoint& p) { return p.reading == reading; });

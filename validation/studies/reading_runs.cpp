@@ -18,9 +18,26 @@ std::vector<VariedKey> keys_of(const Alternative& alternative) {
   return keys;
 }
 
-std::string with_words(const std::string& run, const Interpretation& reading, const std::string& name) {
-  const std::string words = words_of(concerning(reading, name));
-  return run + (words.empty() ? "" : ": ") + words;
+std::string with_ids(const std::string& run, const Interpretation& reading, const std::string& name) {
+  const std::string ids = ids_of(concerning(reading, name));
+  return run + (ids.empty() ? "" : ": ") + ids;
+}
+
+bool changes(const Choice& choice, const std::string& name) {
+  const Scene scene = literal_scene(name, 1);
+  std::set<std::string> made;
+  for (const Alternative& a : choice.alternatives) made.insert(canonical_text(read_as(name, scene, a)));
+  return made.size() > 1;
+}
+
+// Of each choice.
+const std::vector<bool>& concerns_of(const std::string& name) {
+  static std::map<std::string, std::vector<bool>> known;
+  const auto [place, fresh] = known.try_emplace(name);
+  if (fresh) {
+    for (const Choice& choice : the_readings().choices) place->second.push_back(changes(choice, name));
+  }
+  return place->second;
 }
 
 void refuse_wrong(const Scene& scene) {
@@ -50,22 +67,13 @@ Scene literal_scene(const std::string& name, std::uint64_t packing) {
   return scene;
 }
 
-bool concerns(const Choice& choice, const std::string& name) {
-  static std::map<std::pair<std::string, std::string>, bool> known;
-  const auto [place, fresh] = known.try_emplace({choice.id, name});
-  if (fresh) {
-    const Scene scene = literal_scene(name, 1);
-    std::set<std::string> made;
-    for (const Alternative& a : choice.alternatives) made.insert(canonical_text(read_as(name, scene, a)));
-    place->second = made.size() > 1;
-  }
-  return place->second;
-}
+bool concerns(std::size_t choice, const std::string& name) { return concerns_of(name).at(choice); }
 
 Interpretation concerning(const Interpretation& reading, const std::string& name) {
   Interpretation concerned = reading;
+  const std::vector<bool>& concerns = concerns_of(name);
   for (std::size_t k = 0; k < reading.size(); ++k) {
-    if (!concerns(the_readings().choices[k], name)) concerned[k] = 0;
+    if (!concerns[k]) concerned[k] = 0;
   }
   return concerned;
 }
@@ -92,7 +100,7 @@ Scene scene_of(const std::string& name, const Interpretation& reading, double st
 }
 
 std::string key_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
-  return with_words(name + " dt " + shortest(step) + " packing " + std::to_string(packing), reading, name);
+  return with_ids(name + " dt " + shortest(step) + " packing " + std::to_string(packing), reading, name);
 }
 
 Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
@@ -106,7 +114,7 @@ Task task_of(const std::string& name, const Interpretation& reading, double step
 }
 
 std::string watched_key(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
-  return with_words(name + " watched packing " + std::to_string(packing), reading, name);
+  return with_ids(name + " watched packing " + std::to_string(packing), reading, name);
 }
 
 Task watched_task(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
@@ -134,13 +142,21 @@ std::vector<Untorn> untorn_runs() {
   return all;
 }
 
-Task task_of(const Untorn& run) {
+Wanted wanted(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing) {
+  return {key_of(name, reading, step, packing), [=] { return task_of(name, reading, step, packing); }};
+}
+
+Wanted wanted_watched(const std::string& name, const Interpretation& reading, std::uint64_t packing) {
+  return {watched_key(name, reading, packing), [=] { return watched_task(name, reading, packing); }};
+}
+
+Wanted wanted(const Untorn& run) {
   Scene scene = literal_scene("scenario_1", 1);
   scene.time.step = run.step;
   scene.output.energy = true;
   for (Lattice& l : scene.lattice) l.structural.strength = l.shear.strength = l.bending.strength = run.strength;
-  return {"scenario_1 strength " + shortest(run.strength) + " dt " + shortest(run.step),
-          [scene] { return watched(scene); }, hash_of_scene(scene)};
+  const std::string key = "scenario_1 strength " + shortest(run.strength) + " dt " + shortest(run.step);
+  return {key, [=] { return Task{key, [scene] { return watched(scene); }, hash_of_scene(scene)}; }};
 }
 
 }  // namespace furrow::validation

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "report/study.h"
 #include "validation/studies/readings.h"
@@ -16,7 +17,7 @@ Scene literal_scene(const std::string& name, std::uint64_t packing);
 // The same with an alternative's keys.
 Scene read_as(const std::string& name, Scene scene, const Alternative& alternative);
 
-bool concerns(const Choice& choice, const std::string& name);  // whether a choice changes the scene at all
+bool concerns(std::size_t choice, const std::string& name);  // whether a choice, by its place, changes the scene at all
 
 // The reading with all literal that does not change the scene.
 Interpretation concerning(const Interpretation& reading, const std::string& name);
@@ -26,6 +27,14 @@ Scene scene_of(const std::string& name, const Interpretation& reading, double st
 // What the scene says of the rows of its sentences. Readings that make one scene have one key.
 std::string key_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
 Task task_of(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
+
+// A run that a search asks for; its scene is made where its result is not known.
+struct Wanted {
+  std::string key;
+  std::function<Task()> task;
+};
+Wanted wanted(const std::string& name, const Interpretation& reading, double step, std::uint64_t packing);
+Wanted wanted_watched(const std::string& name, const Interpretation& reading, std::uint64_t packing);
 
 // The same at the paper's step, watched as `furrow run` does it: "valid", "reason", "reached" in mm, "torn".
 bool is_valid(const Json& watched);
@@ -37,6 +46,6 @@ struct Untorn {
   double strength = 0, step = 0;  // N, s
 };
 std::vector<Untorn> untorn_runs();
-Task task_of(const Untorn& run);
+Wanted wanted(const Untorn& run);
 
 }  // namespace furrow::validation

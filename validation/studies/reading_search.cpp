@@ -49,15 +49,12 @@ class Search {
 
  private:
   void try_all(const std::vector<Interpretation>& readings) {
-    std::vector<Task> tasks;
+    std::vector<Wanted> runs;
     for (const Interpretation& reading : readings) {
       if (tried_.contains(reading)) continue;
-      for (const std::string& scene : found_.scenes) {
-        if (!once_.knows(key_of(scene, reading, paper_step, 1)))
-          tasks.push_back(task_of(scene, reading, paper_step, 1));
-      }
+      for (const std::string& scene : found_.scenes) runs.push_back(wanted(scene, reading, paper_step, 1));
     }
-    once_.make(tasks);
+    once_.make(runs);
     for (const Interpretation& reading : readings) {
       if (!tried_.insert(reading).second) continue;
       ReadPoint point{reading, {}};
@@ -71,7 +68,7 @@ class Search {
 
   bool matters(std::size_t choice) const {
     return std::any_of(found_.scenes.begin(), found_.scenes.end(),
-                       [&](const std::string& s) { return concerns(the_readings().choices[choice], s); });
+                       [&](const std::string& s) { return concerns(choice, s); });
   }
 
   std::vector<Interpretation> changed_in(const Interpretation& from, std::size_t k) const {
@@ -135,15 +132,14 @@ class Search {
     exchange_valid(best_valid, &pool);
     Finalist& fitted = found_.fitted_without[out];
     found_.valid_without[out] = fitted.reading = best_valid();
-    std::vector<Task> tasks;
+    std::vector<Wanted> runs;
     const auto each = [&](const auto& what) {
       for (const std::string& scene : found_.scenes) {
         for (std::uint64_t p = 0; p < packings_of(scene); ++p) what(scene, p);
       }
     };
-    each(
-        [&](const std::string& s, std::uint64_t p) { tasks.push_back(task_of(s, fitted.reading, paper_step, 2 + p)); });
-    once_.make(tasks);
+    each([&](const std::string& s, std::uint64_t p) { runs.push_back(wanted(s, fitted.reading, paper_step, 2 + p)); });
+    once_.make(runs);
     each([&](const std::string& s, std::uint64_t p) {
       fitted.said[s].push_back(once_.of(key_of(s, fitted.reading, paper_step, 2 + p)));
     });
@@ -184,13 +180,11 @@ class Search {
     for (std::size_t begin = 0; begin < order.size() && valid.size() < count; begin += at_a_time) {
       const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin);
       const std::vector<Interpretation> some(first, first + std::min<std::ptrdiff_t>(at_a_time, order.end() - first));
-      std::vector<Task> tasks;
+      std::vector<Wanted> runs;
       for (const Interpretation& reading : some) {
-        for (const std::string& scene : asked) {
-          if (!once_.knows(watched_key(scene, reading, 1))) tasks.push_back(watched_task(scene, reading, 1));
-        }
+        for (const std::string& scene : asked) runs.push_back(wanted_watched(scene, reading, 1));
       }
-      once_.make(tasks);
+      once_.make(runs);
       for (const Interpretation& reading : some) {
         const bool all = std::all_of(asked.begin(), asked.end(), [&](const std::string& scene) {
           return is_valid(once_.of(watched_key(scene, reading, 1)));
@@ -219,7 +213,7 @@ class Search {
 
   void judge_finalists() {
     const auto step = [](bool fine) { return fine ? the_readings().fine_step : paper_step; };
-    std::vector<Task> tasks;
+    std::vector<Wanted> runs;
     const std::vector<Interpretation> best = finalists();
     const auto each = [&](const auto& what) {
       for (const Interpretation& reading : best) {
@@ -231,10 +225,10 @@ class Search {
       }
     };
     each([&](const Interpretation& r, const std::string& s, bool fine, std::uint64_t p) {
-      tasks.push_back(task_of(s, r, step(fine), 2 + p));
-      if (!fine) tasks.push_back(watched_task(s, r, 2 + p));
+      runs.push_back(wanted(s, r, step(fine), 2 + p));
+      if (!fine) runs.push_back(wanted_watched(s, r, 2 + p));
     });
-    once_.make(tasks);
+    once_.make(runs);
     each([&](const Interpretation& r, const std::string& s, bool fine, std::uint64_t p) {
       if (found_.finalists.empty() || found_.finalists.back().reading != r) found_.finalists.push_back({r, {}, {}, {}});
       Finalist& finalist = found_.finalists.back();
@@ -244,11 +238,11 @@ class Search {
   }
 
   std::vector<Json> untorn() {
-    std::vector<Task> tasks;
-    for (const Untorn& u : untorn_runs()) tasks.push_back(task_of(u));
-    once_.make(tasks);
+    std::vector<Wanted> runs;
+    for (const Untorn& u : untorn_runs()) runs.push_back(wanted(u));
+    once_.make(runs);
     std::vector<Json> results;
-    for (const Task& task : tasks) results.push_back(once_.of(task.key));
+    for (const Wanted& run : runs) results.push_back(once_.of(run.key));
     return results;
   }
 
@@ -266,9 +260,9 @@ ReadingsFound search_readings(const RunTasks& run, bool quick, SearchForm form) 
 }
 
 ReadingsFound kept_search(const Numbers& numbers) {
-  const auto kept = [&](const std::vector<Task>& tasks) {
+  const auto kept = [&](const std::vector<Wanted>& runs) {
     std::vector<Json> values;
-    for (const Task& task : tasks) values.push_back(numbers.at(task.key));
+    for (const Wanted& run : runs) values.push_back(numbers.at(run.key));
     return values;
   };
   try {
@@ -282,7 +276,12 @@ void measure_readings(Measurement& measurement) {
   // A check asks for what is kept, in the form in which it was made.
   const Numbers* kept = measurement.compared_with();
   const SearchForm form = kept ? kept_search(*kept).form : SearchForm::second;
-  search_readings([&](const std::vector<Task>& tasks) { return measurement.run(tasks); }, measurement.quick(), form);
+  const auto make = [&](const std::vector<Wanted>& runs) {
+    std::vector<Task> tasks;
+    for (const Wanted& run : runs) tasks.push_back(run.task());
+    return measurement.run(tasks);
+  };
+  search_readings(make, measurement.quick(), form);
 }
 
 }  // namespace furrow::validation

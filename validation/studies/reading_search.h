@@ -20,7 +20,9 @@ namespace furrow::validation {
 struct ReadPoint {
   Interpretation reading;
   std::map<std::string, Json> said;  // by scene
-  double misfit(const std::vector<std::string>& scenes) const { return misfit_of(said, scenes); }
+  // Of some scenes. A search compares each point with each other many times, so what was asked is remembered.
+  double misfit(const std::vector<std::string>& scenes) const;
+  mutable std::map<std::vector<std::string>, double> misfits{};
 };
 
 struct Finalist {
@@ -50,8 +52,8 @@ struct ReadingsFound {
   std::vector<std::string> others(const std::string& out) const;  // the scenes but one
 };
 
-// The search. `run` makes tasks, or knows what they gave. The quick form looks at scene 1 alone.
-using RunTasks = std::function<std::vector<Json>(const std::vector<Task>&)>;
+// The search. `run` makes what is wanted, or knows what it gave. The quick form looks at scene 1 alone.
+using RunTasks = std::function<std::vector<Json>(const std::vector<Wanted>&)>;
 ReadingsFound search_readings(const RunTasks& run, bool quick, SearchForm form = SearchForm::second);
 
 // From what the study has kept, in the form in which it was made. Throws std::out_of_range if it is of neither.

@@ -33,26 +33,36 @@ const toml::array& list_in(const toml::table& table, const char* key) {
 }
 
 Alternative alternative_of(const toml::table& table) {
-  Alternative a{text_in(table, "name"), text_in(table, "reason"), {}};
+  Alternative a{text_in(table, "id"), text_in(table, "name"), text_in(table, "reason"), {}};
   for (const toml::node& set : list_in(table, "set")) a.set.push_back(set.value_or(std::string()));
   a.drawn = table["drawn"].value_or(true);
   a.since = table["since"].value_or(1);
   return a;
 }
 
-// Of a table with an alternative's name for each choice that is not literal.
+// Of a table with an alternative's id for each choice that is not literal.
 Interpretation named_in(const toml::table& table, const std::vector<Choice>& choices) {
   Interpretation reading(choices.size(), 0);
-  for (const auto& [id, name] : table) {
-    const auto choice = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.id == id.str(); });
-    if (choice == choices.end()) throw std::runtime_error(std::string(file) + ": no choice " + std::string(id.str()));
+  for (const auto& entry : table) {
+    const std::string id(entry.first.str()), which = entry.second.value_or(std::string());
+    const auto choice = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.id == id; });
+    if (choice == choices.end()) throw std::runtime_error(std::string(file) + ": no choice " + id);
     const auto& all = choice->alternatives;
-    const auto one = std::find_if(all.begin(), all.end(),
-                                  [&](const Alternative& a) { return a.name == name.value_or(std::string()); });
-    if (one == all.end()) throw std::runtime_error(std::string(file) + ": no such alternative of " + choice->id);
+    const auto one = std::find_if(all.begin(), all.end(), [&](const Alternative& a) { return a.id == which; });
+    if (one == all.end()) throw std::runtime_error(std::string(file) + ": no alternative " + which + " of " + id);
     reading[static_cast<std::size_t>(choice - choices.begin())] = static_cast<int>(one - all.begin());
   }
   return reading;
+}
+
+std::string listed(const Interpretation& reading, std::string Alternative::*what) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; k < reading.size(); ++k) {
+    const Choice& choice = the_readings().choices[k];
+    if (reading[k] != 0)
+      all.push_back(choice.id + " " + choice.alternatives[static_cast<std::size_t>(reading[k])].*what);
+  }
+  return joined(all);
 }
 
 }  // namespace
@@ -86,14 +96,7 @@ const Readings& the_readings() {
   return all;
 }
 
-std::string words_of(const Interpretation& reading) {
-  std::vector<std::string> words;
-  for (std::size_t k = 0; k < reading.size(); ++k) {
-    const Choice& choice = the_readings().choices[k];
-    if (reading[k] != 0)
-      words.push_back(choice.id + " " + choice.alternatives[static_cast<std::size_t>(reading[k])].name);
-  }
-  return joined(words);
-}
+std::string ids_of(const Interpretation& reading) { return listed(reading, &Alternative::id); }
+std::string words_of(const Interpretation& reading) { return listed(reading, &Alternative::name); }
 
 }  // namespace furrow::validation

@@ -9,7 +9,7 @@
 namespace furrow::validation {
 
 struct Alternative {
-  std::string name, reason;
+  std::string id, name, reason;
   std::vector<std::string> set;  // "KEY=VALUE", "SCENE:KEY=VALUE"
   bool drawn = true;             // false: costs too much to be drawn at random
   int since = 1;                 // the first search that knows it
@@ -34,6 +34,7 @@ struct Readings {
 };
 const Readings& the_readings();
 
-std::string words_of(const Interpretation& reading);  // what is not literal: "box 0.54 m, damping alpha = 20"
+std::string ids_of(const Interpretation& reading);    // what is not literal: "damping alpha_20, box 0.54_m"
+std::string words_of(const Interpretation& reading);  // the same in words: "damping alpha = 20, box 0.54 m"
 
 }  // namespace furrow::validation

@@ -33,10 +33,11 @@ std::vector<Gap> gaps(bool quick) {
          for (Lattice& l : s.lattice) l.tear = TearRule::magnitude;
        }},
       {"model.pull = true", "scenario_2", of_scene_2, [](Scene& s) { s.model.pull = true; }},
-      {"model.disc_mass = \"sphere\"", "scenario_2", of_scene_2,
+      {"model.disc_mass = \"sphere\", time.step = 5e-6", "scenario_2", of_scene_2,
        [](Scene& s) {
          s.model.disc_mass = DiscMass::sphere;
          s.settle->step = 1e-5;
+         s.time.step = step_for_spheres;
        }},
       {"lattice.auxiliary_points = 0", "scenario_3", of_scene_3,
        [](Scene& s) {

@@ -30,6 +30,7 @@ struct Finding {  // of one observable
 struct Judgement {
   std::string name, title, engine, method;
   std::string command;  // that was asked; empty if it is no program
+  std::string input;    // hash of the case
   double claimed = 0;   // order
   CaseVerdict verdict = CaseVerdict::failed;
   std::string words;

@@ -15,6 +15,7 @@
 #include "program/signals.h"
 #include "program/usage.h"
 #include "report/embedded.h"
+#include "report/inputs.h"
 #include "scene/interrupt.h"
 #include "verification/commands.h"
 #include "verification/engines/furrow_engine.h"
@@ -106,6 +107,7 @@ void judge_each(const std::vector<Json>& cases, const JudgeOptions& options, std
     progress.show(c["name"], "judging", static_cast<double>(all.size()), static_cast<double>(cases.size()));
     all.push_back(judge_case(c, engine));
     all.back().command = options.engine;
+    all.back().input = input_of_case(all.back().name);
     std::printf("%s\n", table_row(all.back()).c_str());
     flush_standard_output();
   }

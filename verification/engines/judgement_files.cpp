@@ -66,6 +66,7 @@ Json judgements_as_json(const std::vector<Judgement>& all, const std::string& pa
                     {"words", j.words},
                     {"steps", j.steps},
                     {"observables", findings}});
+    if (!j.input.empty()) list.back()["input"] = j.input;
     if (!j.command.empty()) list.back()["command"] = j.command;
     if (!partial.empty()) list.back()["partial"] = partial;
   }

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Cases by engines: a table of the verdicts that furrow judge --json has left in a folder, one file an engine.
 
-usage: matrix.py FOLDER [--keep FILE]
-  --keep FILE   also writes all verdicts to one sealed file, which `furrow report --judgements FILE` shows"""
+usage: matrix.py FOLDER [--keep FILE --by FURROW --since SECONDS]
+  --keep FILE   also writes all verdicts to one sealed file, which `furrow report --judgements FILE` shows: with what made
+                them, as the program FURROW says, which has judged. Verdicts that were left before SECONDS (since 1970) are
+                not of that program, and are an error"""
 
-import datetime
+import argparse
 import json
 import pathlib
-import platform
 import subprocess
 import sys
 
@@ -27,29 +28,40 @@ def seal_of(kept):
     return f"{value:016x}"
 
 
-def machine():
-    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
-        if line.startswith("model name"):
-            return line.partition(":")[2].strip()
-    return platform.machine()
+def kind_of(name):
+    return "judged_furrow" if name.startswith("furrow_") else "judged_independent" if name == "independent" else "judged_others"
 
 
-def kept(verdicts):
+def made_by(furrow, kinds):
+    return [json.loads(subprocess.run([furrow, "study", "--made-by", kind], check=True, capture_output=True, text=True).stdout)
+            for kind in kinds]  # fmt: skip
+
+
+def inputs_of(verdicts):
+    """A hash of each case; ValueError if two engines were not given the same."""
+    inputs = {}
+    for of_engine in verdicts.values():
+        for case, j in of_engine.items():
+            if inputs.setdefault(case, j["input"]) != j["input"]:
+                raise ValueError(f"engines were given {case} in two forms")
+    return dict(sorted(inputs.items()))
+
+
+def kept(verdicts, furrow):
+    kinds = sorted({kind_of(name) for name in verdicts})
     titles = {j["case"]: j["title"] for of_engine in verdicts.values() for j in of_engine.values()}
     engines = []
     for name, of_engine in verdicts.items():
         one = next((j for j in of_engine.values() if j["engine"]), {"engine": name, "method": ""})
         said = {case: [j["verdict"], "" if j["verdict"] == "right" else j["words"]] for case, j in sorted(of_engine.items())}
         engines.append({"engine": one["engine"], "method": one["method"], "command": one.get("command", ""),
-                        "foreign": not name.startswith("furrow_") and name != "independent", "verdicts": said})  # fmt: skip
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    now = datetime.datetime.now(datetime.timezone.utc)
-    return {"commit": commit, "when": now.strftime("%Y-%m-%dT%H:%M:%SZ"), "machine": machine(),
-            "cases": dict(sorted(titles.items())), "engines": engines}  # fmt: skip
+                        "foreign": kind_of(name) == "judged_others", "maker": kinds.index(kind_of(name)), "verdicts": said})  # fmt: skip
+    return {"makers": made_by(furrow, kinds), "cases": dict(sorted(titles.items())), "inputs": inputs_of(verdicts),
+            "engines": engines}  # fmt: skip
 
 
-def keep(verdicts, file):
-    one = kept(verdicts)
+def keep(verdicts, file, furrow):
+    one = kept(verdicts, furrow)
     one["seal"] = seal_of(one)
     pathlib.Path(file).write_text(json.dumps(one, ensure_ascii=False, indent=0) + "\n")
 
@@ -65,25 +77,41 @@ def show(verdicts):
     print("\n+ right   o of lower order   X another law   ! failed   . cannot, by its own word")
 
 
-def main(folder, file=None):
+def main(folder, file, furrow, since):
     files = sorted(pathlib.Path(folder).glob("*.json"), key=lambda f: place(f.stem))
     verdicts = {found.stem: {j["case"]: j for j in json.loads(found.read_text())} for found in files}
     if not verdicts:
-        print(f"matrix.py: {folder} has no verdicts", file=sys.stderr)
-        return 4
+        return fault(f"{folder} has no verdicts")
     show(verdicts)
     partial = [f"{name} ({j['partial']})" for name, of_engine in verdicts.items() for j in list(of_engine.values())[:1] if "partial" in j]
     if partial:
-        print(f"matrix.py: interrupted: {', '.join(partial)}; nothing is kept of it", file=sys.stderr)
-        return 4
-    if file:
-        keep(verdicts, file)
+        return fault(f"interrupted: {', '.join(partial)}; nothing is kept of it")
+    if not file:
+        return 0
+    earlier = [found.stem for found in files if found.stat().st_mtime < since]
+    if earlier:
+        return fault(f"left by an earlier judge: {', '.join(earlier)}; judge again, or remove them; nothing is kept")
+    try:
+        keep(verdicts, file, furrow)
+    except (KeyError, ValueError) as error:
+        return fault(f"{error}; judge again; nothing is kept")
     return 0
 
 
+def fault(words):
+    print(f"matrix.py: {words}", file=sys.stderr)
+    return 4
+
+
 if __name__ == "__main__":
-    asked = sys.argv[1:]
-    if len(asked) not in (1, 3) or asked[0] in ("-h", "--help") or (len(asked) == 3 and asked[1] != "--keep"):
+    parser = argparse.ArgumentParser(usage=__doc__.partition("usage: ")[2], add_help=False)
+    parser.add_argument("folder", nargs="?")
+    parser.add_argument("--keep")
+    parser.add_argument("--by")
+    parser.add_argument("--since", type=float)
+    parser.add_argument("-h", "--help", action="store_true")
+    asked = parser.parse_args()
+    if asked.help or not asked.folder or (asked.keep and (not asked.by or asked.since is None)):
         print(__doc__)
-        sys.exit(0 if asked in (["-h"], ["--help"]) else 2)
-    sys.exit(main(asked[0], asked[2] if len(asked) == 3 else None))
+        sys.exit(0 if asked.help else 2)
+    sys.exit(main(asked.folder, asked.keep, asked.by, asked.since))

@@ -25,6 +25,7 @@
 #include <thread>
 
 #include "output/files.h"
+#include "report/inputs.h"
 #include "report/measured_process.h"
 #include "report/seal.h"
 #include "verification/fault_study/faults.h"
@@ -49,7 +50,8 @@ ordered_json head_of(const Fault& fault) {
   return {{"name", fault.name},
           {"says", fault.says},
           {"file", fault.change.file},
-          {"kind", fault.constant ? "constant" : "fault"}};
+          {"kind", fault.constant ? "constant" : "fault"},
+          {"input", input_of_fault(fault.change.file, fault.change.old_text, fault.change.new_text)}};
 }
 
 bool of_kernel(const Fault& fault) { return !fault.constant && fault.change.file.starts_with("src/kernel/"); }
@@ -114,7 +116,7 @@ class Study {
   int bad() const { return bad_; }  // not noticed, or not tried
 
   ordered_json report(const ordered_json& earlier) const {
-    const Tried tried{commit_of(places_.tree), names_, pages_, faults_.silent, results_};
+    const Tried tried{maker_of_verdicts(places_.tree), names_, pages_, faults_.silent, results_};
     return options_.property ? with_property(tried, earlier) : report_of(tried, earlier);
   }
 

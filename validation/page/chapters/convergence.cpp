@@ -28,8 +28,6 @@ std::vector<Row> rows_of(const std::string& scene) {
   return rows;
 }
 
-std::string text_of(double step) { return number(std::round(1e7 * step) / 1e4) + " ms"; }
-
 Json cell(const Numbers& results, const ConvergenceRun& one, const std::string& id) {
   if (failed(results, one)) return "diverged";
   const double value = value_in(results, one, id);
@@ -39,17 +37,29 @@ Json cell(const Numbers& results, const ConvergenceRun& one, const std::string& 
 // Adds the table of a case; counts what does not depend on the step at the paper's.
 struct Tally {
   int numbers = 0, settled = 0, at_papers_step = 0;
+  bool stable = true;  // by the paper's step
   void add(const Tally& other) {
     numbers += other.numbers;
     settled += other.settled;
     at_papers_step += other.at_papers_step;
+    stable = stable && other.stable;
   }
 };
 
+// " By 0.1 ms the method makes ...: those numbers are the method's."
+std::string unstable_steps(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c) {
+  std::string list;
+  for (const double step : plan.steps) {
+    const std::string words = instability_words(results, {c, "pece", step});
+    if (!words.empty()) list += (list.empty() ? " By " : ", by ") + in_ms(step) + " " + words;
+  }
+  return list.empty() ? "" : list + ": numbers by such a step are not the model's.";
+}
+
 Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c) {
   std::vector<std::string> head{"number", "the paper"};
-  for (const double step : plan.steps) head.push_back("pece " + text_of(step));
-  for (const std::string& method : plan.others) head.push_back(method + " " + text_of(plan.others_step));
+  for (const double step : plan.steps) head.push_back("pece " + in_ms(step));
+  for (const std::string& method : plan.others) head.push_back(method + " " + in_ms(plan.others_step));
   head.emplace_back("moved by a nudge");
   head.emplace_back("settled from");
   std::vector<std::vector<Json>> rows;
@@ -63,14 +73,15 @@ Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& pl
     const double spread = spread_of(results, plan, c, row.id);
     const double from = settled_from(results, plan, c, row.id, spread);
     cells.push_back(std::isfinite(spread) ? Json(spread) : Json("none"));
-    cells.emplace_back(std::isnan(from) ? "at no step tried" : text_of(from));
+    cells.emplace_back(std::isnan(from) ? "at no step tried" : in_ms(from));
     rows.push_back(cells);
     ++tally.numbers;
     tally.settled += std::isnan(from) ? 0 : 1;
     tally.at_papers_step += from >= papers_step ? 1 : 0;
   }
+  tally.stable = instability_words(results, {c, "pece", papers_step}).empty();
   report.heading(c.title());
-  report.table("Numbers by step and method, all from the same start.", head, rows);
+  report.table("Numbers by step and method, all from the same start." + unstable_steps(results, plan, c), head, rows);
   report.text(std::to_string(tally.settled) + " of these " + std::to_string(tally.numbers) +
               " numbers do not depend on a step that is fine enough; " + std::to_string(tally.at_papers_step) +
               " do not depend on it at the paper's step already.");
@@ -84,9 +95,9 @@ std::string in_plain_words(const std::string& reading, const Tally& tally) {
     return text + "all " + count(tally.numbers) + " numbers are settled at the paper's step: they are the model's.";
   text += tally.settled == tally.numbers ? "all " + count(tally.numbers) + " numbers settle"
                                          : count(tally.settled) + " of " + count(tally.numbers) + " numbers settle";
-  text += " when the step is made fine enough, and so are the model's; at the paper's step " +
-          count(tally.at_papers_step) + " are settled, the other " + count(tally.numbers - tally.at_papers_step) +
-          " depend on the step.";
+  text += std::string(" when the step is made fine enough, and so are the model's; at the paper's step") +
+          (tally.stable ? " " : ", which is not stable for them, ") + count(tally.at_papers_step) +
+          " are settled, the other " + count(tally.numbers - tally.at_papers_step) + " depend on the step.";
   return text;
 }
 
@@ -132,11 +143,14 @@ Report convergence(const Shelf& shelf) {
     const double at_papers = value_in(results, {c, "pece", papers_step}, id);
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
     const double settled = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
-    if (!c.best()) found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), !std::isnan(settled)});
+    if (!c.best())
+      found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), !std::isnan(settled),
+                       instability_words(results, {c, "pece", papers_step}).empty()});
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +
-                                         rounded(finest) + " N at " + text_of(plan.steps.back()) + "."
+                                         rounded(finest) + " N at " + in_ms(plan.steps.back()) + "." +
+                                         unstable_steps(results, plan, c)
                                    : ": diverges at the paper's step."));
     }
     const Tally tally = add_case(details, results, plan, c);
@@ -153,7 +167,7 @@ Report convergence(const Shelf& shelf) {
   if (!missing.empty())
     report.text("Not in the kept numbers, which are of an earlier form of this study: " + missing + ".");
   if (!results.quick()) {
-    add_headline(report, found, {all.at_papers_step, all.numbers}, text_of(plan.steps.back()));
+    add_headline(report, found, {all.at_papers_step, all.numbers}, in_ms(plan.steps.back()));
     report.figure(
         {.name = "convergence",
          .script = "convergence.gp",

@@ -53,23 +53,26 @@ void add_headline(Report& report, const std::vector<ConvergedForce>& found, std:
                   const std::string& finest_step) {
   double most = 0;  // of the discs
   std::string spheres;
+  bool stable = true;  // the spheres
   for (const ConvergedForce& f : found) {
     if (f.c.scene == "scenario_1" || !std::isfinite(f.off())) continue;
     if (f.c.reading == Reading::disc) {
       most = std::max(most, f.off());
     } else {
+      stable = stable && f.stable;
       spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + with_finer_steps(f) +
                  (f.settles ? "" : " and settles at no step");
     }
   }
-  report.headline(
-      {.tile = "finding",
-       .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
-                "are off by no more than " +
-                std::to_string(std::lround(100 * most)) + " %.",
-       .text = "If it is a sphere, and the paper does not say which, that step makes them: with finer ones, down to " +
-               finest_step + ", " + spheres + ". Of " + std::to_string(settled.second) + " numbers in all, " +
-               std::to_string(settled.first) + " do not depend on the paper's step."});
+  report.headline({.tile = "finding",
+                   .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
+                            "are off by no more than " +
+                            std::to_string(std::lround(100 * most)) + " %.",
+                   .text = "If it is a sphere, and the paper does not say which, that step " +
+                           std::string(stable ? "" : "is not stable and ") + "makes them: with finer ones, down to " +
+                           finest_step + ", " + spheres + ". Of " + std::to_string(settled.second) +
+                           " numbers in all, " + std::to_string(settled.first) +
+                           " do not depend on the paper's step."});
   report.first_figure(figure_of(found, finest_step));
 }
 

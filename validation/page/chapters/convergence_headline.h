@@ -15,6 +15,7 @@ struct ConvergedForce {
   double at_papers = NAN, finest = NAN;  // N, with the paper's step and with the finest
   Json by_step;                          // step ms, N
   bool settles = true;                   // at some step
+  bool stable = true;                    // by the paper's step
   double off() const { return std::fabs(at_papers / finest - 1); }
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/files.h"
+
 namespace furrow::validation {
 namespace {
 
@@ -21,6 +23,13 @@ double energy_made(const Numbers& results, const ConvergenceRun& one) {
   const Result* booked = results.find(one.energy_key());
   return booked == nullptr || booked->failed() ? NAN : booked->value.at("made").get<double>();
 }
+
+std::string instability_words(const Numbers& results, const ConvergenceRun& one) {
+  const double made = energy_made(results, one);
+  return made > 1 ? "the method makes " + three_digits(made) + " times all the energy that the scene was given" : "";
+}
+
+std::string in_ms(double step) { return number(std::round(1e7 * step) / 1e4) + " ms"; }
 
 bool failed(const Numbers& results, const ConvergenceRun& one) {
   const Json& got = results.at(one.key());
@@ -63,8 +72,10 @@ std::string step_words(const Numbers& results, const ConvergencePlan& plan, cons
   if (!std::isfinite(papers) || !std::isfinite(finest)) return {};
   const double from = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
   if (from >= papers_step) return "does not depend on the step";
-  return "depends on the step: " + three_digits(papers) + " at " + three_digits(1e3 * papers_step) + " ms, " +
-         three_digits(finest) + " at " + three_digits(1e3 * plan.steps.back()) + " ms";
+  const std::string unstable = instability_words(results, {c, "pece", papers_step});
+  return "depends on the step: " + three_digits(papers) + " at " + in_ms(papers_step) +
+         (unstable.empty() ? "" : ", which is not stable") + ", " + three_digits(finest) + " at " +
+         in_ms(plan.steps.back());
 }
 
 }  // namespace furrow::validation

@@ -15,6 +15,12 @@ bool measured(const Numbers& results, const ConvergencePlan& plan, const Converg
 // the study is of a form that did not book it.
 double energy_made(const Numbers& results, const ConvergenceRun& one);
 
+// "the method makes 1.45e+04 times all the energy that the scene was given"; empty where it makes no more than all.
+std::string instability_words(const Numbers& results, const ConvergenceRun& one);
+
+// "0.005 ms"
+std::string in_ms(double step);
+
 bool failed(const Numbers& results, const ConvergenceRun& one);
 
 // NaN where the run did not get to the end, or does not say.

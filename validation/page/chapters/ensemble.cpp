@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/convergence_settled.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/kept_ensemble.h"
 #include "validation/studies/observed_run.h"
@@ -138,8 +139,9 @@ Report ensemble(const Shelf& shelf) {
       if (member.contains("failed") && ++failed == 1) why = member["failed"].get<std::string>();
     }
   }
-  report.text(std::to_string(runs) + " runs at the paper's step, " + std::to_string(failed) +
-              " of them did not come to their end" + (failed == 0 ? "." : "; the first: " + why + "."));
+  report.text(std::to_string(runs) + " runs by the paper's step, spheres by " + in_ms(step_for_spheres) + ", " +
+              std::to_string(failed) + " of them did not come to their end" +
+              (failed == 0 ? "." : "; the first: " + why + "."));
   for (const auto& [group, list] : groups) add_distributions(report, group, list);
   if (!numbers.quick()) {
     report.figure(figure_of(groups));

@@ -8,6 +8,7 @@
 
 #include "output/files.h"
 #include "validation/page/chapters/chapters.h"
+#include "validation/page/chapters/convergence_settled.h"
 #include "validation/page/chapters/statements_why.h"
 #include "validation/studies/kept_ensemble.h"
 #include "validation/studies/observed_run.h"
@@ -56,14 +57,12 @@ std::string runs(const Sample& sample) {
 // Where the members are: those of the ensemble, in the quick form a few of its own.
 const Numbers& with_members(const Shelf& shelf) {
   if (shelf.of("statements").quick()) return shelf.of("statements");
-  const std::string make = "; the statements are judged by it; make it by: furrow study ensemble";
   try {
     const Numbers& numbers = shelf.of("ensemble");
-    const std::string why = unusable_ensemble(numbers);
-    if (why.empty()) return numbers;
-    throw FileError("the kept ensemble " + why);
+    if (const std::string why = unusable_ensemble(numbers); !why.empty()) throw FileError("the kept ensemble " + why);
+    return numbers;
   } catch (const FileError& error) {
-    throw FileError(error.what() + make);
+    throw FileError(error.what() + std::string("; the statements are judged by it; make it by: furrow study ensemble"));
   }
 }
 
@@ -105,7 +104,9 @@ void judge(Report& report, const Groups& groups, const Reasons& reasons) {
                            std::to_string(count["reproduced in kind"]) + " in kind, " +
                            std::to_string(count["not reproduced"]) + " do not."});
   report.text("Of " + std::to_string(the_paper().statements.size()) + " statements, judged " +
-              std::to_string(rows.size()) + " times by scene and reading of the mass: " + counts + ".");
+              std::to_string(rows.size()) + " times by scene and reading of the mass: " + counts +
+              ". Discs are judged at the paper's step. Spheres are judged at " + in_ms(step_for_spheres) +
+              ", for the paper's is not stable for them" + reasons.spheres_at_the_papers_step() + ".");
   report.text(
       "A limit, or what is said in words, is reproduced if at least half of the packings keep it, in kind if one in "
       "twenty does. A number is reproduced if the median of the packings is within a tenth of it, or if it lies "
@@ -136,7 +137,8 @@ const std::map<std::string, Readings>& readings() {
       {"lattice.gravity = true", {"Weight of the lattice", "none", "5 kg a node"}},
       {"lattice.tear = \"magnitude\"", {"Tearing", "in tension only", "by magnitude"}},
       {"model.pull = true", {"May a contact pull", "no", "yes, while it is damped"}},
-      {"model.disc_mass = \"sphere\"", {"Mass of a particle", "a disc 1 m deep", "a sphere"}},
+      {"model.disc_mass = \"sphere\", time.step = 5e-6",
+       {"Mass of a particle", "a disc 1 m deep", "a sphere, at a step that is stable"}},
       {"lattice.auxiliary_points = 0",
        {"Contact of disc and lattice", "9 auxiliary points", "the exact nearest point"}},
       {"model.rolling_smoothing = 0.01", {"Smoothing of rolling friction", "1 rad/s", "0.01 rad/s"}},
@@ -177,8 +179,7 @@ void add_gaps(Report& report, const Numbers& numbers, const Groups& groups) {
   report.text(
       "Where the paper is silent, contradicts itself or misprints, a key of the scene file takes the other reading; "
       "one packing. The sign printed in Eq. (1) cannot be run, the lattice flies to pieces: that is shown by a page of "
-      "the "
-      "verification, RigidMotion. All decisions, with their reasons, stand in validation/decisions.md.");
+      "the verification, RigidMotion. All decisions, with their reasons, stand in validation/decisions.md.");
   if (!failures.empty()) report.text(failures.substr(1));
   report.table("The numbers with furrow's reading and with the other.",
                {"point", "furrow's reading", "the other", "key", "scene", "number", "as read", "otherwise"}, rows);

@@ -85,6 +85,16 @@ std::string Reasons::step(const Statement& statement, const std::string& group) 
   return {};
 }
 
+std::string Reasons::spheres_at_the_papers_step() const {
+  if (convergence_ == nullptr) return {};
+  std::string words;
+  for (const char* scene : {"scenario_2", "scenario_3"}) {
+    const std::string unstable = instability_words(*convergence_, {{scene, Reading::sphere}, "pece", papers_step});
+    if (!unstable.empty()) join(words, "in scene " + std::string(scene).substr(9) + " " + unstable);
+  }
+  return words.empty() ? "" : ": " + words;
+}
+
 // The closest that any reading tried comes to the statement, if one comes nearer than the literal one.
 std::string Reasons::other_reading(const Statement& statement) const {
   if (!found_ || found_->points.empty()) return {};

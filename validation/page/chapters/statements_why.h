@@ -16,6 +16,8 @@ namespace furrow::validation {
 class Reasons {
  public:
   explicit Reasons(const Shelf& shelf);
+  // ": the method makes ..."; empty where the study of convergence is not kept.
+  std::string spheres_at_the_papers_step() const;
   std::string why(const Statement& statement, const Sample& sample, const std::string& group,
                   const std::string& verdict) const;
 
