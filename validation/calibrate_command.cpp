@@ -72,7 +72,9 @@ int search(const Options& options) {
   request.plan.jobs = options.jobs > 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
   request.fresh = options.fresh;
   request.progress = [&](double made, double all) { return progress.show("calibrate", "running", made, all); };
+  progress.begin("calibrate", "preparing");
   const Calibration calibration = calibrate(request);
+  progress.end();
   write_calibration(calibration, options.directory);
   print(calibration, options.directory);
   return good;
@@ -92,6 +94,8 @@ int command(const Options& options) {
 void add_calibrate_command(CLI::App& app, std::vector<Command>& all) {
   static Options options;
   auto* named = app.add_subcommand("calibrate", "find the settings of scenes that come closest to what was measured");
+  show_examples(named, {"furrow calibrate src/python/stem.toml --vary 'lattice[0].structural.stiffness=5e3:3e4:log' "
+                        "--to validation/calibration/example/bent_stem.toml --points 20 --out fitted"});
   named->add_option("scenes", options.scenes, "scene files, calibrated together")->required()->type_name("");
   named
       ->add_option(

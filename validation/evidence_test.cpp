@@ -54,8 +54,28 @@ TEST(Evidence, AMissingStudyOrFaultFileIsNamed) {
   const auto missing =
       missing_evidence({place.path / "checks.json", place.path / "faults.json", place.path / "studies"});
   ASSERT_EQ(missing.size(), 2 + studies_of_the_page().size());
-  EXPECT_EQ(missing[0], "cannot read " + (place.path / "checks.json").string());
+  EXPECT_EQ(missing[0], "cannot read " + (place.path / "checks.json").string() + "; made by: scripts/test");
+  EXPECT_EQ(missing[1], "cannot read " + (place.path / "faults.json").string() + "; made by: scripts/faults");
+  EXPECT_EQ(missing[2], "cannot read " + (place.path / "studies" / (studies_of_the_page()[0] + ".json")).string() +
+                            "; made by: scripts/studies " + studies_of_the_page()[0]);
   EXPECT_EQ(missing_evidence({}).size(), 0u) << "what was not asked for is not missing";
+}
+
+TEST(Evidence, WhatWasNotAskedForIsSaidWithWhatMakesIt) {
+  const auto has = [](const Evidence& evidence, const std::string& words) {
+    const std::vector<std::string> all = evidence_not_given(evidence);
+    return std::any_of(all.begin(), all.end(), [&](const std::string& one) { return one.find(words) != one.npos; });
+  };
+  for (const std::string command :
+       {"scripts/test", "scripts/faults", "scripts/mutants", "scripts/judge --keep", "scripts/studies"}) {
+    EXPECT_TRUE(has({}, "; made by: " + command)) << command;
+    EXPECT_TRUE(fs::exists(fs::path(FURROW_SOURCE_DIR) / command.substr(0, command.find(' ')))) << command;
+  }
+  Evidence all_but_edits{.checks = "c", .faults = "f", .studies = "s", .judgements = "j"};
+  EXPECT_EQ(evidence_not_given(all_but_edits).size(), 1u);
+  EXPECT_TRUE(has(all_but_edits, "random edits of the source: not given by --mutants"));
+  all_but_edits.mutants = "m";
+  EXPECT_EQ(evidence_not_given(all_but_edits).size(), 0u);
 }
 
 // A study of two numbers and its chapter.

@@ -18,6 +18,7 @@
 #include "output/strict_json.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "program/usage.h"
 #include "scene/hash.h"
 #include "scene/lattice_parts.h"
 #include "scene/read.h"
@@ -178,7 +179,17 @@ std::vector<OtherRun> tools(const ReportOptions& options, std::vector<RunOptions
   return {{"a tool that bends", place / "tool_that_bends"}, {"the same tool, rigid", place / "rigid_tool"}};
 }
 
+// Outside of the source tree there are none where they are looked for.
+void require_scenes(const fs::path& directory) {
+  for (const char* name : {"scenario_1.toml", "scenario_2.toml", "scenario_3.toml"}) {
+    if (fs::is_regular_file(directory / name)) continue;
+    throw FileError("there is no scene " + (directory / name).string() + ", seen from " + fs::current_path().string() +
+                    ": run in the source tree, or say with --scenes DIR where the scenes are");
+  }
+}
+
 int report_command(const ReportOptions& options, const std::vector<Study>& catalogue) {
+  require_scenes(options.scenes);
   std::vector<ReportedRun> runs;
   std::vector<RunOptions> wanted;
   for (const std::string name : {"scenario_3", "scenario_2", "scenario_1"}) {  // the longest first
@@ -206,7 +217,10 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
   std::reverse(runs.begin(), runs.end());
   const Evidence evidence{options.checks, options.faults,  options.studies,   catalogue,
                           now_in_utc(),   options.mutants, options.judgements};
+  Progress progress;
+  progress.begin("report", "drawing");
   write_report(directory, runs, evidence, tool);
+  progress.end();
   directory.conclude("finished");
   std::cout << (fs::path(options.directory) / "index.html").string() << "\n";
   if (const std::string ages = ages_in_words(evidence); !ages.empty()) std::cerr << ages << "\n";
@@ -220,6 +234,7 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
 void add_report_command(CLI::App& app, std::vector<Command>& all, const std::vector<Study>& catalogue) {
   static ReportOptions reported;
   auto* report = app.add_subcommand("report", "run the paper's three scenes and write one page about them");
+  show_examples(report, {"furrow report --out report", "furrow report --reuse --studies reference_data/studies"});
   report->add_option("--out", reported.directory, "directory for the page and the runs")
       ->capture_default_str()
       ->type_name("DIR");

@@ -10,7 +10,9 @@
 #include "output/file_list.h"
 #include "output/files.h"
 #include "output/owned_directory.h"
+#include "program/progress.h"
 #include "program/usage.h"
+#include "scene/missing_path.h"
 #include "validation/commands.h"
 #include "validation/page/film.h"
 #include "validation/page/run_record.h"
@@ -41,9 +43,12 @@ void write_own(const fs::path& directory, const std::string& ended, const std::s
 int view_command(const ViewOptions& options) {
   const fs::path directory = options.directory;
   if (!fs::is_directory(directory))
-    throw FileError(options.directory + ": no such directory; furrow run --out makes one");
+    throw FileError(options.directory + ": no such directory, furrow run --out makes one" +
+                    instead_of(directory, PathKind::directory));
   if (!fs::exists(directory / "run.json"))
     throw FileError((directory / "run.json").string() + ": there is none: the run has not ended, or this is none");
+  Progress progress;
+  progress.begin(options.directory, "drawing");
   if (const std::string spoilt = spoilt_file(directory); !spoilt.empty())
     throw FileError(options.directory + ": " + spoilt + ": run it again");
   const RunRecord run = read_run(directory.filename(), directory);
@@ -53,6 +58,7 @@ int view_command(const ViewOptions& options) {
     write_own(directory, run.fact("ended")->texts.front(), page);
   else
     write(OutputFile::at_once(place), page);
+  progress.end();
   std::cout << place.string() << "\n";
   return good;
 }
@@ -63,6 +69,7 @@ void add_view_command(CLI::App& app, std::vector<Command>& all) {
   static ViewOptions options;
   auto* view =
       app.add_subcommand("view", "make one page, without other files, that plays a run beside its force curve");
+  show_examples(view, {"furrow run src/python/stem.toml --frames 150 --out film", "furrow view film --out film.html"});
   view->add_option("directory", options.directory, "directory of a run, best of one with --frames 150")
       ->required()
       ->type_name("");

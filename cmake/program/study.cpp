@@ -9,6 +9,7 @@
 #include "program/progress.h"
 #include "program/usage.h"
 #include "program_with_all.h"
+#include "scene/utf8.h"
 #include "scene/wording.h"
 #include "study_status.h"
 #include "validation/page/chapters/chapters.h"
@@ -39,20 +40,21 @@ struct GoldenRequest {
 unsigned processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 const Study& study_named(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const Study& study : validation::catalogue()) {
     if (study.name == name) return study;
-    known += (known.empty() ? "" : ", ") + study.name;
+    known.push_back(study.name);
   }
-  throw std::invalid_argument("no study '" + name + "'; there are " + known);
+  throw std::invalid_argument("no study is named " + in_quotes(visible(name)) + nearest_or_all(name, known) +
+                              "; see furrow study");
 }
 
 std::vector<const Study*> studies_asked_for(const StudyOptions& options) {
   std::vector<const Study*> all;
   for (const Study& study : validation::catalogue()) {
-    if (options.name.empty() || options.name == study.name) all.push_back(&study);
+    if (options.name.empty()) all.push_back(&study);
   }
-  if (all.empty()) study_named(options.name);
+  if (all.empty()) all.push_back(&study_named(options.name));
   return all;
 }
 
@@ -103,9 +105,12 @@ int words_command(const StudyOptions& options) {
 int check_command(const StudyOptions& options) {
   constexpr double most_cpu = 4;  // s a study
   int status = good;
+  Progress progress;
   for (const Study* study : studies_asked_for(options)) {
+    progress.begin(study->name, "checking");
     const Checked checked =
         check_study(*study, options.directory, std::hash<std::string_view>{}(build_info().commit), most_cpu);
+    progress.end();
     std::printf("%-16s %d numbers made again, %zu do not come out\n", study->name.c_str(), checked.compared,
                 checked.wrong.size());
     for (const std::string& wrong : checked.wrong) std::printf("  %s\n", wrong.c_str());
@@ -136,11 +141,17 @@ int study_command(const StudyOptions& options) {
   settings.anew = options.anew;
   settings.jobs = options.jobs > 0 ? options.jobs : processors();
   settings.progress = [&](double done, double total) { return progress.show(options.name, "running", done, total); };
+  const Study& study = study_named(options.name);
+  progress.begin(options.name, "running");
   if (options.few) {
-    const auto say = [](const std::string& line) { std::printf("%s\n", line.c_str()); };
+    const auto say = [&](const std::string& line) {
+      progress.end();
+      std::printf("%s\n", line.c_str());
+    };
     return validation::check_few(settings, say) ? good : check_failed;
   }
-  const std::vector<std::string> refuted = run_study(study_named(options.name), settings, validation::catalogue());
+  const std::vector<std::string> refuted = run_study(study, settings, validation::catalogue());
+  progress.end();
   std::printf("%s/%s.json\n", options.directory.c_str(), options.name.c_str());
   for (const std::string& claim : refuted) progress.say("furrow: does not hold: " + claim);
   return refuted.empty() ? good : check_failed;
@@ -152,7 +163,11 @@ int golden_command(const GoldenRequest& request) {
   options.reason = request.reason;
   options.jobs = processors();
   options.progress = [&](double done, double total) { return progress.show("golden", "running", done, total); };
-  options.say = [](const std::string& line) { std::printf("%s\n", line.c_str()); };
+  options.say = [&](const std::string& line) {
+    progress.end();
+    std::printf("%s\n", line.c_str());
+  };
+  progress.begin("golden", "running");
   return validation::check_goldens(options) == 0 ? good : check_failed;
 }
 
@@ -170,6 +185,8 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
     return command;
   };
   auto* study = add_study_options(app.add_subcommand("study", "run a study; without a name: list the studies"));
+  show_examples(study, {"furrow study", "furrow study geometry --quick --out numbers",
+                        "furrow study geometry --status --out reference_data/studies"});
   study->add_option("name", studied.name, "name of the study")->type_name("");
   auto* anew = study->add_flag("--anew", studied.anew, "make all numbers, those too that are kept and not old");
   auto* status = study->add_flag("--status", studied.status,
@@ -191,10 +208,14 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
     for (auto* how : {anew, study->get_option("--quick"), study->get_option("--jobs")}) what->excludes(how);
   }
   auto* ensemble = add_study_options(app.add_subcommand("ensemble", "the scenes over many packings"));
+  show_examples(ensemble,
+                {"furrow ensemble --quick --out numbers", "furrow ensemble --few --out reference_data/studies"});
   ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
   auto* statements = add_study_options(app.add_subcommand("statements", "the paper's statements, each judged"));
+  show_examples(statements, {"furrow statements --quick --out numbers"});
 
   auto* golden = app.add_subcommand("golden", "run the paper's scenes and compare them to the bit with earlier runs");
+  show_examples(golden, {"furrow golden --quick"});
   golden->add_option("--goldens", asked.directory, "directory of the golden outputs")
       ->capture_default_str()
       ->type_name("DIR");

@@ -159,7 +159,7 @@ void refuse_deviations(const std::vector<KeyRow>& deviations, const std::vector<
   for (const SceneKey& key : scene_keys()) known.push_back(key.path);
   for (const std::string& key : allowed) {
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw std::invalid_argument("--allow: no key is named " + in_quotes(key) + did_you_mean(key, known));
+      throw std::invalid_argument("--allow: no key is named " + in_quotes(key) + nearest_or_all(key, known));
   }
   std::string refused;
   for (const KeyRow& row : deviations) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scene/labels.h"
+
 namespace furrow {
 namespace {
 
@@ -40,11 +42,12 @@ Json validity_json(const Validity& validity) {
 
 void add_extremes(Json& json, const Validity& validity, const Scene& scene) {
   const RunExtremes& extremes = validity.extremes();
+  const std::vector<std::string> plates = labels(scene.plate);
   json["largest_force"] = Json::array();
   for (std::size_t k = 0; k < extremes.plate.size(); ++k) {
     const RunExtremes::PlateForce& f = extremes.plate[k];
     json["largest_force"].push_back(
-        {{"plate", scene.plate[k].name}, {"F", f.force}, {"Fx", f.fx}, {"Fy", f.fy}, {"time", f.time}});
+        {{"plate", plates[k]}, {"F", f.force}, {"Fx", f.fx}, {"Fy", f.fy}, {"time", f.time}});
   }
   const Watched& overlap = validity.watches()[static_cast<std::size_t>(WatchKind::overlap)];
   json["greatest_relative_overlap"] = overlap.worst;

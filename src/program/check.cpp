@@ -10,17 +10,23 @@ namespace furrow {
 
 int check_command(const std::vector<std::string>& scenes) {
   bool bad = false, unread = false;
+  Progress progress;
   for (const std::string& file : scenes) {
     try {
-      for (const std::string& text : checked_warnings(file)) std::cerr << file << ": warning: " << text << "\n";
+      progress.begin("furrow", "checking " + file);
+      const std::vector<std::string> warnings = checked_warnings(file);
+      progress.end();
+      for (const std::string& text : warnings) std::cerr << file << ": warning: " << text << "\n";
       std::cout << file << ": ok\n";
     } catch (const SceneError& error) {
       bad = true;
+      progress.end();
       std::cerr << error.what() << "\n";
     } catch (const Interrupted&) {
       throw;
     } catch (const std::exception& error) {  // cannot be read; the others are still checked
       unread = true;
+      progress.end();
       std::cerr << "furrow: error: " << error.what() << "\n";
     }
   }

@@ -196,8 +196,10 @@ void print_step(const Timing& time, const Prepared& prepared) {
 int explain_command(const RunOptions& options) {
   const Scene scene = requested_scene(options);
   Progress progress;
-  std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
+  progress.begin(options.scene, "placing");
   const System system = unsettled(scene);
+  progress.end();
+  std::printf("%s\n%s\n", options.scene.c_str(), scene.title.c_str());
   for (const std::string& text : warnings_before(scene)) std::printf("warning: %s\n", text.c_str());
   print_modelled(scene, system);
   print_left_out(scene, system);
@@ -207,8 +209,10 @@ int explain_command(const RunOptions& options) {
   print_passing(system.parts());
   print_allowed(scene);
   std::fflush(stdout);
+  progress.begin(options.scene, "placing");
   const Prepared prepared = prepare(
       scene, [&](double t, double) { return progress.show(options.scene, "settling", t, scene.settle->limit); });
+  progress.end();
   print_start(prepared);
   print_step(scene.time, prepared);
   return good;

@@ -11,7 +11,10 @@
 #include "output/owned_directory.h"
 #include "program/commands.h"
 #include "program/progress.h"
+#include "scene/missing_path.h"
 #include "scene/read.h"
+#include "scene/utf8.h"
+#include "scene/wording.h"
 
 namespace furrow {
 namespace {
@@ -47,6 +50,7 @@ std::string keys_page(const std::vector<KeyRow>& rows, const std::vector<KeyRow>
 Prepared prepared_with_progress(const ExportOptions& options) {
   Progress progress;
   const Scene scene = requested_scene(options.scene);
+  progress.begin(options.scene.scene, "placing");
   return prepare(
       scene, [&](double t, double) { return progress.show(options.scene.scene, "settling", t, scene.settle->limit); });
 }
@@ -92,7 +96,9 @@ void write_deck(const fs::path& directory, const DeckFiles& files) {
 }  // namespace
 
 int export_command(const ExportOptions& options) {
-  if (options.to != "lammps") throw std::invalid_argument("--to: must be lammps, not \"" + options.to + "\"");
+  if (options.to != "lammps")
+    throw std::invalid_argument("--to: must be lammps, not " + in_quotes(visible(options.to)) +
+                                did_you_mean(options.to, {"lammps"}));
   const Prepared prepared = prepared_with_progress(options);
   const std::vector<KeyRow> deviations = lammps_deviations(prepared);
   refuse_deviations(deviations, options.allow);
@@ -112,11 +118,15 @@ int export_command(const ExportOptions& options) {
 int compare_command(const ExportOptions& options) {
   std::error_code unreachable;
   if (!fs::is_directory(options.compare, unreachable))
-    throw FileError(options.compare + ": no such directory; furrow export --out makes one");
+    throw FileError(options.compare + ": no such directory, furrow export --out makes one" +
+                    instead_of(options.compare, PathKind::directory));
   if (!(options.early > 0)) throw std::invalid_argument("--early: must be more than 0 s");
   const fs::path result = fs::path(options.compare) / compared_name;
   if (fs::is_regular_file(result, unreachable)) fs::remove(result);  // of an earlier comparison
+  Progress progress;
+  progress.begin(options.compare, "comparing");
   const Compared compared = compare_with_engine(options.compare, options.early);
+  progress.end();
   std::printf("%s", compared.text.c_str());
   replace_file(result, compared.json.dump(1) + "\n");
   return compared.good ? good : check_failed;

@@ -27,11 +27,8 @@ int parse_and_run(int argc, char** argv, const std::vector<AddCommands>& parts) 
   app.set_version_flag("--version",
                        "furrow " + std::string(build_info().version) + " (" + std::string(build_info().commit) + ")");
   app.name("furrow");
-  app.footer(
-      "Examples:\n  furrow run validation/scenes/scenario_1.toml --until 0.4 --out here\n"
-      "  furrow explain validation/scenes/scenario_2.toml\n\n"
-      "Exit codes: 0 good, 1 a check failed, 2 usage or scene, 3 diverged or invalid, 4 input or output (a scene that\n"
-      "cannot be read, too), 130 interrupted. Without a command furrow prints this help and exits with 2.");
+  show_examples(&app, {"furrow run validation/scenes/scenario_1.toml --until 0.4 --out here",
+                       "furrow explain validation/scenes/scenario_2.toml", "furrow run --help"});
 
   std::vector<Command> commands;
   for (const AddCommands add : parts) add(app, commands);

@@ -28,6 +28,14 @@ void Progress::end() {
   std::fflush(stderr);
 }
 
+void Progress::begin(const std::string& name, const std::string& doing) {
+  {
+    const std::scoped_lock lock(mutex_);
+    last_ = {};
+  }
+  show(name, doing, 0, 1);
+}
+
 bool Progress::show(const std::string& name, const std::string& doing, double done, double total) {
   if (terminal_) {
     const std::scoped_lock lock(mutex_);

@@ -15,6 +15,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  // Says at once what is begun, before anything is known of how long it takes.
+  void begin(const std::string& name, const std::string& doing);
+
   // False once an interrupt was requested. Safe to call from several threads.
   bool show(const std::string& name, const std::string& doing, double done, double total);
 

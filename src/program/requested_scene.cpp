@@ -8,6 +8,7 @@
 #include "methods/method.h"
 #include "output/warnings.h"
 #include "program/commands.h"
+#include "program/method_name.h"
 #include "program/resolved_moves.h"
 #include "run/prepare.h"
 #include "scene/packing.h"
@@ -101,12 +102,7 @@ void set_frames(const std::optional<std::string>& text, SceneFile& file) {
 
 void judge_method(SceneFile& file) {
   if (!file.known("time.method")) return;
-  std::vector<std::string> names;
-  for (const MethodInfo& m : method_catalogue()) names.push_back(m.name);
-  const std::string& name = file.scene.time.method;
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    file.fault("time.method",
-               "no method is named " + in_quotes(name) + did_you_mean(name, names) + "; see furrow methods");
+  if (const std::string why = unknown_method(file.scene.time.method); !why.empty()) file.fault("time.method", why);
 }
 
 // A method whose steps are fixed shows the state of the nearest one.

@@ -17,6 +17,7 @@
 #include "program/commands.h"
 #include "program/progress.h"
 #include "program/run_summary.h"
+#include "scene/missing_path.h"
 #include "scene/read.h"
 
 namespace furrow {
@@ -39,12 +40,16 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
   const std::string name = fs::path(options.scene).stem();
   const bool resumes = !options.resume.empty();
   const fs::path wanted = resumes ? options.resume : options.directory, directory = directory_of(options);
+  if (std::error_code unreachable; resumes && !fs::is_directory(directory, unreachable))
+    throw FileError(directory.string() + ": no such directory, so no run to go on with" +
+                    instead_of(directory, PathKind::directory));
   RunRequest request{
       .scene_file = options.scene, .scene = requested_scene(options), .directory = directory, .resume = resumes};
   request.progress = [&](const std::string& doing, double done, double total) {
     return progress.show(name, doing, done, total);
   };
   request.warn = [&](const std::string& text) { progress.say(name + ": warning: " + text); };
+  progress.begin(name, "preparing");
   RunOutcome outcome = run_with_files(request);
   const std::string in_directory = " in " + directory.string();
   if (outcome.ended == "finished" && wanted.empty())

@@ -29,7 +29,7 @@ long rows_in(const std::filesystem::path& file) {
 std::string force_line(const ordered_json& run) {
   std::string line;
   for (const ordered_json& plate : run.value("largest_force", ordered_json::array()))
-    line += (line.empty() ? "largest force " : "; ") + digits(plate.at("F")) + " N on " +
+    line += (line.empty() ? "largest force " : "; ") + digits(plate.at("F")) + " N on plate " +
             plate.at("plate").get<std::string>() + " at t = " + digits(plate.at("time")) + " s";
   return line.empty() ? "no plate, so no force" : line;
 }

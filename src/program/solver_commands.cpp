@@ -73,18 +73,25 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
       ->type_name("DIR")
       ->excludes(out);
 
+  show_examples(run, {"furrow run src/python/stem.toml --frames 4 --out stem",
+                      "furrow run validation/scenes/scenario_1.toml --until 0.4 --set 'plate[0].velocity=[0.2, 0.0]'"});
   run->add_flag("--json", options.json, "print run.json on a terminal too, instead of four lines");
 
   auto* check = app.add_subcommand("check", "read scene files and say all that is wrong with them");
+  show_examples(check, {"furrow check src/python/stem.toml validation/scenes/scenario_1.toml"});
   check->add_option("scenes", scenes, "scene files")->required()->type_name("");
 
   auto* explain =
       app.add_subcommand("explain", "what of a scene is modelled, what is left out, and what follows from its numbers");
+  show_examples(explain, {"furrow explain validation/scenes/scenario_1.toml",
+                          "furrow explain validation/scenes/scenario_1.toml --method rk4 --dt 5e-4"});
   add_overrides(explain, options);
 
   auto* deck = app.add_subcommand(
       "export",
       "write a scene as the input of another engine, or compare what that engine made of it with furrow's run");
+  show_examples(deck,
+                {"furrow export validation/scenes/single_spring.toml --allow lattice.structural.damping --out deck"});
   add_overrides(deck, exported.scene);
   deck->add_option("--until", exported.scene.until, "end of the run")->type_name("SECONDS");
   deck->add_option("--to", exported.to, "the engine: lammps")->type_name("WORD");
@@ -104,8 +111,10 @@ void add_solver_commands(CLI::App& app, std::vector<Command>& all) {
       ->needs("--compare");
 
   auto* methods = app.add_subcommand("methods", "list the integration methods");
+  show_examples(methods, {"furrow methods"});
 
   auto* keys = app.add_subcommand("keys", "the keys of scene files: meaning, unit, range, default, example");
+  show_examples(keys, {"furrow keys contact.friction", "furrow keys --schema >scene.schema.json"});
   keys->add_option("patterns", keys_options.patterns, "parts of their names (default: all keys)")->type_name("");
   auto* json = keys->add_flag("--json", keys_options.json, "as JSON");
   auto* markdown = keys->add_flag("--markdown", keys_options.markdown, "as a page")->excludes(json);

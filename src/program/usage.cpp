@@ -62,6 +62,15 @@ bool reads(const std::string& text, Number& number) {
 
 }  // namespace
 
+void show_examples(CLI::App* command, const std::vector<std::string>& lines) {
+  std::string text = "Examples, in the source tree:\n";
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  command->footer(
+      text +
+      "\nExit codes: 0 good, 1 a check failed, 2 usage or scene, 3 diverged or invalid, 4 input or output (a "
+      "scene that\ncannot be read, too), 130 interrupted.");
+}
+
 std::string unreadable(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (!is_utf8(argv[i]))

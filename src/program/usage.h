@@ -3,8 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace furrow {
+
+// Ends the help of a command with lines that can be copied, to be run in the source tree, and with the exit codes.
+void show_examples(CLI::App* command, const std::vector<std::string>& lines);
 
 // The first word that is not UTF-8; empty if all are. Names of files stand in JSON, which is nothing else.
 std::string unreadable(int argc, char** argv);

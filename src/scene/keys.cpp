@@ -173,7 +173,7 @@ std::vector<SceneKey> scene_keys(const std::string& pattern) {
     names.push_back(key.name());
   }
   if (found.empty())
-    throw std::invalid_argument("no key has " + in_quotes(pattern) + " in its name" + did_you_mean(pattern, names) +
+    throw std::invalid_argument("no key has " + in_quotes(pattern) + " in its name" + nearest_or_all(pattern, names) +
                                 "; see furrow keys");
   return found;
 }

@@ -16,6 +16,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "scene/missing_path.h"
 #include "scene/schema.h"
 #include "scene/toml_text.h"
 #include "scene/utf8.h"
@@ -257,7 +258,10 @@ SceneFile SceneFile::read(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw std::runtime_error(cannot + "it is a directory");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(cannot + std::generic_category().message(errno));
+  if (const int error = errno; !stream) {
+    const std::string why = cannot + std::generic_category().message(error);
+    throw std::runtime_error(error == ENOENT || error == ENOTDIR ? why + instead_of(file, PathKind::file) : why);
+  }
   std::string text;
   for (std::string part(1 << 20, '\0'); stream && text.size() <= most_bytes_of_a_file;) {
     stream.read(part.data(), static_cast<std::streamsize>(part.size()));

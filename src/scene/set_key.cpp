@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/keys.h"
 #include "scene/schema.h"
 #include "scene/toml_value.h"
 
@@ -105,6 +106,16 @@ class KeySetter {
 
   std::string fault() const {
     return found_ ? fault_ : "unknown key " + in_quotes(step_.key) + nearest_or_all(step_.key, known_);
+  }
+
+  // Of the first step of a path. What stands in a table is often named without it.
+  std::string fault_at_top() const {
+    if (found_ || !nearest_name(step_.key, known_).empty()) return fault();
+    const std::string name = step_.key.substr(0, step_.key.find('['));
+    for (const SceneKey& key : scene_keys())
+      if (key.name() == name)
+        return "unknown key " + in_quotes(step_.key) + "; did you mean " + in_quotes(key.path) + "?";
+    return fault();
   }
 
  private:
@@ -213,7 +224,7 @@ class KeySetter {
 std::string set_key(Scene& scene, const std::string& path, const std::string& text) {
   KeySetter setter(path, trimmed(text));
   describe(setter, scene);
-  return setter.fault();
+  return setter.fault_at_top();
 }
 
 }  // namespace furrow

@@ -60,19 +60,31 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// The nearest of the known names, or nothing if more than a third of the letters is wrong.
+// Whether two words have the same letters, in whatever order.
+inline bool same_letters(std::string a, std::string b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
+}
+
+// The nearest of the known names: of which at most a third of the letters is wrong; else one with the same letters in
+// another order; else the shortest that the word, of three letters or more, is a part of. Nothing if there is none.
 inline std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {
-  std::string nearest;
+  std::string nearest, mixed_up, longer_name;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& name : known) {
     // Lengths alone bound the distance from below; without this a key of a million letters takes a million steps a
     // name.
     const std::size_t longer = std::max(name.size(), word.size()), shorter = std::min(name.size(), word.size());
+    if (word.size() >= 3 && name.find(word) != std::string::npos &&
+        (longer_name.empty() || name.size() < longer_name.size()))
+      longer_name = name;
+    if (mixed_up.empty() && longer == shorter && same_letters(name, std::string(word))) mixed_up = name;
     if (longer - shorter >= least) continue;
     const std::size_t distance = edit_distance(word, name);
     if (distance < least) least = distance, nearest = name;
   }
-  return nearest;
+  return !nearest.empty() ? nearest : !mixed_up.empty() ? mixed_up : longer_name;
 }
 
 // `; did you mean "x"?` with the nearest of the known names, or nothing.
@@ -81,10 +93,21 @@ inline std::string did_you_mean(std::string_view word, const std::vector<std::st
   return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
 }
 
-// The nearest of the known names, or all of them if none is near.
-inline std::string nearest_or_all(std::string_view word, const std::vector<std::string>& known) {
+// The nearest of the known names, or all of them if none is near; of very many the three that are least far.
+inline std::string nearest_or_all(std::string_view word, std::vector<std::string> known) {
+  constexpr std::size_t many = 30, most_letters = 100;
   const std::string nearest = did_you_mean(word, known);
-  return nearest.empty() && !known.empty() ? "; known: " + joined(known) : nearest;
+  if (!nearest.empty() || known.empty()) return nearest;
+  if (known.size() <= many) return "; known: " + joined(known);
+  const std::string begins(word.substr(0, most_letters));
+  const auto nearer = [&](const std::string& a, const std::string& b) {
+    return edit_distance(begins, a) < edit_distance(begins, b);
+  };
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  std::stable_sort(known.begin(), known.end(), nearer);
+  known.resize(3);
+  return "; the least far of those that there are: " + joined(known);
 }
 
 }  // namespace furrow

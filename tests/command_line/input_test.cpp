@@ -110,7 +110,7 @@ TEST_F(Input, WhatIsMissingOrTooMuchIsSaid) {
 TEST_F(Input, WithoutACommandTheHelpIsPrinted) {
   const Result r = furrow("");
   EXPECT_EQ(r.code, 2);
-  for (const char* word : {"run ", "check ", "explain ", "stability ", "Examples:", "Exit codes:"})
+  for (const char* word : {"run ", "check ", "explain ", "stability ", "Examples", "Exit codes:"})
     EXPECT_NE(r.err.find(word), std::string::npos) << word;
 }
 

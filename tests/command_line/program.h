@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -70,7 +72,7 @@ class Process {
   pid_t pid() const { return pid_; }
   void send(int signal_number) const { kill(pid_, signal_number); }
   bool has_ended() {
-    ended_ = ended_ || waitpid(pid_, &status_, WNOHANG) == pid_;
+    ended_ = ended_ || wait4(pid_, &status_, WNOHANG, &used_) == pid_;
     return ended_;
   }
   // Exit code, or minus the signal that ended it.
@@ -87,18 +89,23 @@ class Process {
            (std::stoull(status.substr(at + 8), nullptr, 16) >> (signal_number - 1) & 1U) != 0;
   }
 
-  // CPU time so far, s: it has begun to work.
+  // CPU time so far, s: it has begun to work. Of one that has ended, all that it took.
   double cpu_seconds() const {
-    std::istringstream fields(text_of("/proc/" + std::to_string(pid_) + "/stat"));
-    std::string field;
-    double ticks = 0;
-    for (int k = 1; k <= 15 && fields >> field; ++k) ticks += k >= 14 ? std::stod(field) : 0;
-    return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+    if (ended_) return seconds(used_.ru_utime) + seconds(used_.ru_stime);
+    clockid_t clock{};
+    timespec time{};
+    if (clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 
  private:
+  static double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  }
+
   pid_t pid_ = -1;
   int status_ = 0;
+  rusage used_{};
   bool ended_ = false;
 };
 
@@ -123,8 +130,8 @@ class Program : public testing::Test {
   }
 
   // Started, not waited for.
-  std::string started(const std::string& arguments) const {
-    return "'" FURROW_PROGRAM "' " + arguments + " >stdout.txt 2>stderr.txt </dev/null";
+  std::string started(const std::string& arguments, const std::string& input = "/dev/null") const {
+    return "'" FURROW_PROGRAM "' " + arguments + " >stdout.txt 2>stderr.txt <" + input;
   }
 
   static std::string scene(const std::string& name) {

@@ -151,6 +151,15 @@ TEST_F(Judging, AReportNamesWhatIsMissingAndEndsWithOne) {
   }
 }
 
+TEST_F(Judging, AReportSaysWhatItWasNotGivenAndWhatMakesIt) {
+  write_checks(true);
+  EXPECT_EQ(furrow("report --scenes scenes --out page --checks checks.json").code, 0) << err();
+  const std::string page = text_of(directory_ / "page/index.html");
+  EXPECT_NE(page.find("not given by --mutants; made by: scripts/mutants"), std::string::npos);
+  EXPECT_NE(page.find("<a href=\"#missing\">4 parts are missing</a>"), std::string::npos);
+  EXPECT_EQ(page.find("not given by --checks"), std::string::npos);
+}
+
 TEST_F(Judging, AReportOfARunThatDivergedExitsThreeAndSaysWhich) {
   write_scene("1", "0.4", "1.2");
   write_checks(false);
@@ -210,7 +219,7 @@ TEST_F(Judging, StudiesAreListedAndAnUnknownOneIsRefused) {
                            "convergence", "ensemble", "statements", "outlook"})
     EXPECT_NE(("\n" + out()).find(std::string("\n") + name + " "), std::string::npos) << name;
   EXPECT_EQ(furrow("study ordre").code, 2);
-  EXPECT_NE(err().find("no study 'ordre'; there are order,"), std::string::npos) << err();
+  EXPECT_NE(err().find("no study is named \"ordre\"; did you mean \"order\"?"), std::string::npos) << err();
 }
 
 // Its runs are kept until it ends; of the scene file's own setting, the first of them, all numbers are made the paper's.

@@ -4,48 +4,72 @@
 
 #include <regex>
 
-#include "program.h"
+#include "tests/command_line/commands.h"
 
 namespace {
 
-class Terminal : public furrow::test::Program {
+// A terminal that nobody sits at.
+class Screen {
+ public:
+  Screen() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    EXPECT_EQ(grantpt(master_), 0);
+    EXPECT_EQ(unlockpt(master_), 0);
+    name_ = ptsname(master_);
+    kept_open_ = open(name_.c_str(), O_RDWR | O_NOCTTY);  // or reading fails before the program has opened it
+    fcntl(master_, F_SETFL, O_NONBLOCK);
+  }
+  ~Screen() {
+    close(kept_open_);
+    close(master_);
+  }
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  const std::string& name() const { return name_; }
+  // All that was written there so far.
+  const std::string& text() {
+    char part[4096];
+    for (ssize_t n = 0; (n = read(master_, part, sizeof part)) > 0;) text_.append(part, static_cast<std::size_t>(n));
+    return text_;
+  }
+
+ private:
+  int master_, kept_open_ = -1;
+  std::string name_, text_;
+};
+
+class Terminal : public furrow::test::Commands {
  protected:
-  // Runs with standard error on a terminal, with `all` standard output too; returns all that was written there.
+  // With standard error on the terminal, with `all` standard output too.
+  static std::string on(const Screen& screen, const std::string& arguments, bool all = false) {
+    return "'" FURROW_PROGRAM "' " + arguments + " >" + (all ? screen.name() : "stdout.txt") + " 2>" + screen.name() +
+           " </dev/null";
+  }
+
+  // All that is written there by a command that ends.
   std::string shown(const std::string& arguments, int& code, bool all = false) const {
-    const int master = posix_openpt(O_RDWR | O_NOCTTY);
-    EXPECT_EQ(grantpt(master), 0);
-    EXPECT_EQ(unlockpt(master), 0);
-    const std::string name = ptsname(master);
-    const pid_t child = fork();
-    if (child == 0) {
-      const std::string line = "cd '" + directory_.string() + "' && exec '" FURROW_PROGRAM "' " + arguments +
-                               (all ? " >" + name : " >stdout.txt") + " 2>" + name + " </dev/null";
-      execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
-      _exit(127);
-    }
-    const int kept_open = open(name.c_str(), O_RDWR | O_NOCTTY);  // or reading fails before the child has opened it
-    std::string text;
-    int status = 0;
-    bool ended = false;
-    fcntl(master, F_SETFL, O_NONBLOCK);
-    for (;;) {
-      char part[4096];
-      const ssize_t n = read(master, part, sizeof part);
-      if (n > 0) {
-        text.append(part, static_cast<std::size_t>(n));
-      } else if (ended) {
-        break;
-      } else {
-        ended = waitpid(child, &status, WNOHANG) == child;
-        usleep(1000);
-      }
-    }
-    close(kept_open);
-    close(master);
-    code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return text;
+    Screen screen;
+    furrow::test::Process program(directory_, on(screen, arguments, all));
+    furrow::test::comes_true([&] { return screen.text(), program.has_ended(); });
+    code = program.code();
+    return screen.text();
   }
 };
+
+// Whoever waits for longer than a second knows for what.
+TEST_F(Terminal, EveryCommandThatWorksLongSaysSoWithinASecondOfItsWork) {
+  put_what_takes_long();
+  for (const auto& [name, call] : calls_) {
+    if (call.kind != furrow::test::Call::Kind::works) continue;
+    Screen screen;
+    furrow::test::Process program(directory_, on(screen, call.arguments));
+    ASSERT_TRUE(furrow::test::comes_true([&] {
+      return !screen.text().empty() || program.has_ended() || program.cpu_seconds() > 1;
+    })) << name;
+    EXPECT_NE(screen.text(), "") << name;
+    EXPECT_FALSE(program.has_ended()) << name << screen.text();
+  }
+}
 
 TEST_F(Terminal, ShowsABarThatFillsAndTheTimeThatIsLeft) {
   int code = -1;
@@ -87,7 +111,7 @@ TEST_F(Terminal, ARunEndsWithFourLinesForPeople) {
   const std::string text = first.substr(first.rfind("\033[K") == std::string::npos ? 0 : first.rfind("\033[K") + 3);
   EXPECT_TRUE(
       std::regex_search(text, std::regex("^finished at t = 0.05 s: 500 steps of pece in [0-9.e-]+ s of CPU time\r\n"
-                                         "largest force [0-9.]+ N on [a-z0-9]+ at t = [0-9.]+ s\r\n"
+                                         "largest force [0-9.]+ N on plate [a-z0-9]+ at t = [0-9.]+ s\r\n"
                                          "links torn 0, greatest overlap [^\r]*\r\n"
                                          "files in here; furrow view here plays it, --json prints run.json\r\n$")))
       << text;
@@ -96,6 +120,18 @@ TEST_F(Terminal, ARunEndsWithFourLinesForPeople) {
   const std::string json = shown("run " + scene("scenario_1") + " --until 0.05 --out here --json", code, true);
   EXPECT_NE(json.find("\"ended\": \"finished\""), std::string::npos) << json;
   EXPECT_EQ(json.find("furrow view"), std::string::npos) << json;
+}
+
+// A plate without a name is called by its index, in words as in files.
+TEST_F(Terminal, APlateWithoutANameIsCalledAsFilesCallIt) {
+  int code = -1;
+  const std::string text =
+      shown("run " + scene("scenario_1") + " --set plate[0].name= --until 0.05 --out here", code, true);
+  ASSERT_EQ(code, 0) << text;
+  EXPECT_NE(text.find(" N on plate 0 at t = "), std::string::npos) << text;
+  EXPECT_EQ(nlohmann::json::parse(this->text("here/run.json"))["largest_force"][0]["plate"], "0");
+  const std::string rows = this->text("here/plate_force.csv");
+  EXPECT_EQ(rows.substr(rows.find('\n') + 1, 4), "0,0,");
 }
 
 TEST_F(Terminal, SettlingSaysWhatItWaitsFor) {

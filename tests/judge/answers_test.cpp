@@ -1,15 +1,13 @@
 // What an engine may print: an answer that does not follow the protocol has failed, and no other case is lost by it.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <thread>
 
 #include "output/child.h"
+#include "tests/command_line/program.h"
 #include "tests/judge/one_number.h"
 #include "verification/engines/judge.h"
 #include "verification/engines/judgement_files.h"
@@ -90,19 +88,14 @@ int running(const std::string& program, const std::string& argument) {
 }
 
 TEST(Answers, WhatAnEngineLeavesBehindIsEndedWithIt) {
-  std::FILE* other = popen("exec sleep 0.53125", "r");
-  bool seen = false;
-  for (int look = 0; look < 100 && !seen; ++look) {
-    seen = running("sleep", "0.53125") == 1;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  {
+    const Process other(".", "sleep 531.25");
+    EXPECT_TRUE(comes_true([] { return running("sleep", "531.25") == 1; }));
   }
-  EXPECT_TRUE(seen);
-  pclose(other);
   const std::string left = "setsid sleep 3127.5 >/dev/null 2>&1 & ";
-  const auto engine = [](const std::string& command) { return verification::program_engine(command, 1); };
-  EXPECT_EQ(engine(left + "sleep 0.2; echo '{}'")({}), Json::object());
+  EXPECT_EQ(verification::program_engine(left + "sleep 0.2; echo '{}'", 120)({}), Json::object());
   EXPECT_EQ(running("sleep", "3127.5"), 0) << "after an answer";
-  EXPECT_THROW(engine(left + "sleep 60")({}), std::runtime_error);
+  EXPECT_THROW(verification::program_engine(left + "sleep 600", 1)({}), std::runtime_error);
   EXPECT_EQ(running("sleep", "3127.5"), 0) << "after its time";
   const ChildEnd end = run_child({.words = {"sh", "-c", "sleep 3127.5 & echo $!"}});
   EXPECT_EQ(running("sleep", "3127.5"), 0) << "of the program's own group";

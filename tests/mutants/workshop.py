@@ -12,8 +12,9 @@ import shlex
 import shutil
 import subprocess
 import time
+import tomllib
 
-OUT_OF_STATE = re.compile(r'"(\w*cpu_seconds|wall_seconds|commit)"')
+OUT_OF_STATE = re.compile(r'"(\w*cpu_seconds|wall_seconds|commit|seal|pid|process_start|host|began|run\.json)":')
 GTEST = ["--gtest_brief=1", "--gtest_fail_fast"]
 CALLS = ["-fno-inline", "-fno-ipa-pure-const", "-fno-ipa-reference", "-fno-ipa-modref"]
 # In the order of how soon they notice: what is run, and the binaries for it.
@@ -25,8 +26,27 @@ SUITES = [
     ("kernel is reference", ["{home}/tests/property_tests", *GTEST, "--gtest_filter=KernelIsReference.*:*PapersScenes*"], ["tests/property_tests"]),
     ("verification", ["{home}/verification/verification_tests", *GTEST], ["verification/verification_tests"]),
 ]  # fmt: skip
-# Scenes whose files are compared where no test noticed, and until when they run, s.
-SCENES = {"scenario_1": 1.2, "scenario_2": 0.2, "scenario_3": 0.2, "single_spring": 1, "disc_on_wall": 0.1, "cantilever": 1}
+# Where no test noticed, the files of all scenes of the tree are compared, and furrow's answers to all cases. A run that takes
+# longer than this, s of CPU time, is cut to a quarter of its length until it does not.
+LONGEST = 10
+SHARES = (1, 1 / 4, 1 / 16, 1 / 64)
+
+
+def scenes_of(tree, is_scene):
+    """The paths from the top of every TOML file of the tree that is a scene; `is_scene` is asked of each."""
+    files = (file.relative_to(tree) for file in sorted(tree.rglob("*.toml")))
+    return [str(file) for file in files if file.parts[0] != "build" and is_scene(str(file))]
+
+
+def cases_of(tree):
+    """Name and fewest steps of each case that engines are given; a view of another case has those of that one."""
+    cases = {file.stem: tomllib.loads(file.read_text()) for file in sorted(tree.glob("verification/cases/*.toml"))}
+    return {name: min(cases[case["view"]["of"] if "view" in case else name]["steps"]) for name, case in cases.items()}
+
+
+def state_in(text):
+    """A text that the program wrote, without what differs from run to run by itself: times, the process, sums of these."""
+    return "\n".join(line for line in text.split("\n") if not OUT_OF_STATE.search(line))
 
 
 OF_LIBRARY, OF_PROGRAM = "CMakeFiles/furrow.dir/", "CMakeFiles/furrow_program.dir/"
@@ -120,6 +140,8 @@ class Workshop:
             if code != 0:
                 raise SystemExit(f"the {name} tests fail without any edit:\n{text[-3000:]}")
             self.sound[name] = (text, time.monotonic() - began)
+        if "command line" in self.sound:
+            self.find_scenes()
         self.files = self.written() if "command line" in self.sound else {}
         return {name: round(seconds, 1) for name, (_, seconds) in self.sound.items()}
 
@@ -176,22 +198,43 @@ class Workshop:
             return -1, "hangs"
         return done.returncode, done.stdout + done.stderr if done.returncode else done.stdout
 
+    def share_of(self, scene, end):
+        """How much of its run is compared; None if even the shortest takes too long."""
+        for share in SHARES:
+            if self.run_scene(scene, end, share) in (0, 3):  # 3: it has an end, and files
+                return share
+        print(f"too long to be compared: {scene}", flush=True)
+        return None
+
+    def run_scene(self, scene, end, share):
+        until = [] if share == 1 else ["--until", repr(end * share)]
+        return self.run(["{home}/furrow", "run", "{tree}/" + scene, *until, "--out", "out"], LONGEST, 20 * LONGEST)[0]
+
+    def find_scenes(self):
+        """By scene how much of its run is compared."""
+        is_scene = lambda file: self.run(["{home}/furrow", "check", "{tree}/" + file], 60, 600)[0] == 0  # noqa: E731
+        self.ends = {file: tomllib.loads((self.base.tree / file).read_text())["time"]["end"] for file in scenes_of(self.base.tree, is_scene)}
+        self.shares = {file: self.share_of(file, end) for file, end in self.ends.items()}
+
     def written(self):
-        """A digest of each file and output that the program makes of the scenes, without times and commit."""
+        """A digest of each file and output that the program makes of scenes and cases, without times and commit."""
         found = {}
 
         def note(name, text):
-            lines = [line for line in text.split("\n") if not OUT_OF_STATE.search(line)]
-            found[name] = hashlib.sha256("\n".join(lines).encode()).hexdigest()
+            found[name] = hashlib.sha256(state_in(text).encode()).hexdigest()
 
-        for name, until in SCENES.items():
-            scene = str(self.base.tree / "validation/scenes" / f"{name}.toml")
-            note(f"explain {name}", self.run(["{home}/furrow", "explain", scene], 60, 600)[1])
-            self.run(["{home}/furrow", "run", scene, "--until", str(until), "--out", "out"], 120, 1200)
+        for scene, share in self.shares.items():
+            note(f"explain {scene}", self.run(["{home}/furrow", "explain", "{tree}/" + scene], 60, 600)[1])
+            if share is None:
+                continue
+            self.run_scene(scene, self.ends[scene], share)
             for file in sorted((self.tmp / "out").rglob("*")):
                 if file.is_file():
-                    note(f"{name}/{file.relative_to(self.tmp / 'out')}", file.read_text(errors="replace"))
-        for command in (["methods"], ["check", str(self.base.tree / "validation/scenes/scenario_3.toml")]):
+                    note(f"{scene}/{file.relative_to(self.tmp / 'out')}", file.read_text(errors="replace"))
+        for case, steps in cases_of(self.base.tree).items():
+            ask = f"{self.home}/furrow cases {case} --request {steps} | {self.home}/furrow engine"
+            note(f"case {case}", self.run(["sh", "-c", ask], LONGEST, 20 * LONGEST)[1])
+        for command in (["methods"], ["keys"], ["check", "{tree}/validation/scenes/scenario_3.toml"]):
             note("furrow " + command[0], self.run(["{home}/furrow", *command], 60, 600)[1])
         return found
 

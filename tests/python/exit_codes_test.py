@@ -1,5 +1,6 @@
 """The exit codes of scripts/test and scripts/nightly. The scripts are the real ones; the build is a program that says what it was asked."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -79,6 +80,13 @@ class ExitCodes(unittest.TestCase):
         for script, *options in (["test", "--jnit"], ["test", "--junit"], ["nightly", "--only", "nothing"], ["nightly", "-x"]):
             with self.subTest(options):
                 self.assertEqual(self.ended(script, *options)[::2], (2, ""))
+
+    def test_the_nightly_runs_every_build_that_has_tests(self):
+        presets = json.loads((source / "CMakePresets.json").read_text())["workflowPresets"]
+        listed = self.ended("nightly", "--list")[1]
+        for name in [preset["name"] for preset in presets]:
+            with self.subTest(name):
+                self.assertRegex(listed, rf"cmake --workflow --preset {name}\b(?!_)")
 
     def test_the_nightly_ends_with_0_only_if_all_of_its_steps_passed(self):
         steps = ["--only", "release", "--only", "clang", "--only", "debug"]

@@ -271,7 +271,11 @@ TEST(SceneReader, NamesTheFileInEachMessage) {
 }
 
 TEST(SceneReader, SaysWhyAFileCannotBeRead) {
-  EXPECT_EQ(file_error("no/such.toml"), "cannot read scene \"no/such.toml\": No such file or directory");
+  const std::string here = std::filesystem::current_path();
+  EXPECT_EQ(
+      file_error("no/such.toml"),
+      "cannot read scene \"no/such.toml\": No such file or directory; there is no directory \"no\", seen from \"" +
+          here + "\"");
   const std::string directory = (source_dir / "tests").string();
   EXPECT_EQ(file_error(directory), "cannot read scene \"" + directory + "\": it is a directory");
 }

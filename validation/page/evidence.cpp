@@ -43,19 +43,18 @@ std::string unusable(const fs::path& file, const Check& check) {
 // A chapter that cannot be made of the numbers lacks some: of an earlier form of the study, or of another study.
 std::string unfit_numbers(const Study& study, const fs::path& directory) {
   const fs::path file = directory / (study.name + ".json");
-  const std::string again = "; run: furrow study " + study.name;
   try {
     const Shelf shelf(directory);
     const Numbers& numbers = shelf.of(study.name);
     if (numbers.study() != study.name) return file.string() + ": is not the study " + study.name;
-    if (numbers.quick()) return file.string() + ": is of the quick form" + again;
+    if (numbers.quick()) return file.string() + ": is of the quick form";
     if (numbers.results().empty()) return file.string() + ": holds no results";
     study.chapter(shelf);
     return {};
   } catch (const FileError& error) {
     return error.what();
   } catch (const std::exception& error) {
-    return file.string() + ": no chapter can be made of it (" + error.what() + ")" + again;
+    return file.string() + ": no chapter can be made of it (" + error.what() + ")";
   }
 }
 
@@ -95,6 +94,23 @@ std::string unfit_faults(const ordered_json& study) {
   return {};
 }
 
+// One kind of evidence: how the page speaks of it, the option that names where it is, and the command that makes it.
+struct Kind {
+  fs::path Evidence::*place;
+  const char *name, *option, *made_by;
+  std::string (*unusable)(const fs::path&);  // none: a directory of several files
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {&Evidence::checks, "the checks of verification", "--checks", "scripts/test", unusable_checks},
+      {&Evidence::faults, "the fault study", "--faults", "scripts/faults", unusable_faults},
+      {&Evidence::mutants, "random edits of the source", "--mutants", "scripts/mutants", unusable_mutants},
+      {&Evidence::judgements, "what other engines answer", "--judgements", "scripts/judge --keep", unusable_judgements},
+      {&Evidence::studies, "the studies", "--studies", "scripts/studies", nullptr}};
+  return all;
+}
+
 }  // namespace
 
 const std::vector<std::string>& studies_of_the_page() {
@@ -118,15 +134,25 @@ std::string unusable_faults(const fs::path& file) { return unusable(file, unfit_
 
 std::vector<std::string> missing_evidence(const Evidence& evidence) {
   std::vector<std::string> all;
-  const auto note = [&](const std::string& why) {
-    if (!why.empty()) all.push_back(why);
+  const auto note = [&](const std::string& why, const std::string& made_by) {
+    if (!why.empty()) all.push_back(why + "; made by: " + made_by);
   };
-  if (!evidence.checks.empty()) note(unusable_checks(evidence.checks));
-  if (!evidence.faults.empty()) note(unusable_faults(evidence.faults));
-  if (!evidence.mutants.empty()) note(unusable_mutants(evidence.mutants));
-  if (!evidence.judgements.empty()) note(unusable_judgements(evidence.judgements));
-  if (evidence.studies.empty()) return all;
-  for (const std::string& name : studies_of_the_page()) note(unusable_study(evidence, name));
+  for (const Kind& kind : kinds()) {
+    if (kind.unusable != nullptr && !(evidence.*kind.place).empty())
+      note(kind.unusable(evidence.*kind.place), kind.made_by);
+    if (kind.unusable == nullptr && !(evidence.*kind.place).empty())
+      for (const std::string& name : studies_of_the_page())
+        note(unusable_study(evidence, name), kind.made_by + (" " + name));
+  }
+  return all;
+}
+
+std::vector<std::string> evidence_not_given(const Evidence& evidence) {
+  std::vector<std::string> all;
+  for (const Kind& kind : kinds()) {
+    if ((evidence.*kind.place).empty())
+      all.push_back(std::string(kind.name) + ": not given by " + kind.option + "; made by: " + kind.made_by);
+  }
   return all;
 }
 

@@ -30,7 +30,10 @@ std::string unusable_checks(const std::filesystem::path& file);
 std::string unusable_faults(const std::filesystem::path& file);
 
 // A sentence for each file that was asked for and is missing, cut, changed, of a short form or says that something
-// failed. Empty: the page has all that it should have.
+// failed, with the command that makes it. Empty: the page has all that it was asked for.
 std::vector<std::string> missing_evidence(const Evidence& evidence);
+
+// One for each kind of evidence that was not asked for: what the page does not tell, and what makes it.
+std::vector<std::string> evidence_not_given(const Evidence& evidence);
 
 }  // namespace furrow::validation

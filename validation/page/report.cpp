@@ -52,6 +52,7 @@ std::string scene_table(const std::vector<RunRecord>& runs) {
 std::string missing_part(const Evidence& evidence) {
   std::string lines;
   for (const std::string& why : missing_evidence(evidence)) lines += element("li", escaped(why));
+  for (const std::string& what : evidence_not_given(evidence)) lines += element("li", escaped(what));
   return lines.empty() ? lines
                        : "<section id=\"missing\">" + element("h2", "What is missing here") +
                              element("ul", lines, "missing") + "</section>";

@@ -51,9 +51,9 @@ std::string verdict_line(const Evidence& evidence, const std::vector<RunRecord>&
     words += " Tests notice " + edits + ".";
   words += " " + std::to_string(ended) + " of " + std::to_string(runs.size()) + " scenes came to their end.";
   words += claims_in_short(studies);
-  if (missing_parts > 0)
-    words += " <a href=\"#missing\">" + std::to_string(missing_parts) +
-             (missing_parts == 1 ? " part is missing" : " parts are missing") + "</a> on this page.";
+  if (const std::size_t absent = missing_parts + evidence_not_given(evidence).size(); absent > 0)
+    words += " <a href=\"#missing\">" + std::to_string(absent) +
+             (absent == 1 ? " part is missing" : " parts are missing") + "</a> on this page.";
   return "<p id=\"verdict\" class=\"verdict " + std::string(good ? "good" : "bad") + "\"><span class=\"chip " +
          (good ? "good\">✓ good" : "bad\">✗ not good") + "</span> " + words + "</p>\n";
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "report/embedded.h"
@@ -252,10 +253,12 @@ std::vector<Json> cases_like(const std::vector<std::string>& patterns) {
   std::vector<Json> all;
   for (const std::string& name : case_names()) all.push_back(case_named(name));
   if (patterns.empty()) return all;
+  std::set<std::string> known(case_names().begin(), case_names().end());
+  for (const Json& c : all) known.insert(c["needs"].begin(), c["needs"].end());
   for (const std::string& pattern : patterns) {
     if (std::none_of(all.begin(), all.end(), [&](const Json& c) { return fits(c, pattern); }))
-      throw std::invalid_argument("no case has " + in_quotes(pattern) +
-                                  " in its name or among its needs; see furrow cases");
+      throw std::invalid_argument("no case has " + in_quotes(pattern) + " in its name or among its needs" +
+                                  nearest_or_all(pattern, {known.begin(), known.end()}) + "; see furrow cases");
   }
   std::erase_if(all, [&](const Json& c) {
     return std::none_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return fits(c, p); });

@@ -10,6 +10,7 @@
 #include "methods/method.h"
 #include "output/files.h"
 #include "output/strict_json.h"
+#include "program/method_name.h"
 #include "program/progress.h"
 #include "program/signals.h"
 #include "program/usage.h"
@@ -153,6 +154,7 @@ void require_protocol(const Json& request) {
 }
 
 int engine_command(const std::string& method) {
+  require_method("--method", method);
   if (make_method(method)->info().controlled)
     throw std::invalid_argument("--method: " + method +
                                 " chooses its own step; the judge asks for steps that are given");
@@ -176,6 +178,7 @@ void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
   static std::string method = "verlet";
   static bool methods = false;
   auto* cases = app.add_subcommand("cases", "verification cases that any engine can be given: list, print, take away");
+  show_examples(cases, {"furrow cases hertz", "furrow cases hertz_pair", "furrow cases hertz_pair --request 100"});
   cases
       ->add_option("patterns", cases_options.patterns,
                    "parts of their names, or needs; one case is printed whole (default: list all)")
@@ -192,6 +195,7 @@ void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
       ->excludes("patterns");
 
   auto* judge = app.add_subcommand("judge", "give the cases to an engine, and judge its answers");
+  show_examples(judge, {"furrow judge --engine 'furrow engine --method verlet' --cases spring --json judged.json"});
   judge
       ->add_option("--engine", judge_options.engine,
                    "a command that takes a request on standard input, see furrow cases --protocol")
@@ -209,6 +213,7 @@ void add_judge_commands(CLI::App& app, std::vector<Command>& all) {
       ->check(moment());
 
   auto* engine = app.add_subcommand("engine", "furrow as an engine that furrow judge can ask");
+  show_examples(engine, {"furrow cases hertz_pair --request 100 | furrow engine --method rk4"});
   engine->add_option("--method", method, "integration method with a fixed step (default: verlet)")->type_name("NAME");
 
   engine->add_flag("--methods", methods, "list the methods that take a fixed step, and do nothing else");

@@ -5,6 +5,7 @@
 
 #include "methods/method.h"
 #include "program/commands.h"
+#include "program/method_name.h"
 #include "program/progress.h"
 #include "program/signals.h"
 #include "program/usage.h"
@@ -73,14 +74,17 @@ std::string reason_to_skip(const MethodInfo& info, const System& system, std::si
 }
 
 int stability_command(const StabilityOptions& options) {
+  for (const std::string& method : options.methods) require_method("--method", method);
   refuse_if_none_has_a_limit(options.methods);
   const Scene scene = requested_scene({.scene = options.scene});
   if (!(options.at >= 0 && options.at <= scene.time.end))
     throw std::invalid_argument("--at: must be from 0 to the end of the run, " + shortest(scene.time.end) + " s");
   Progress progress;
+  progress.begin(options.scene, "preparing");
   const Standing s = standing_at(scene, options.at, [&](double done, double total) {
     return progress.show(options.scene, "running", done, total);
   });
+  progress.end();
   print_standing(options, scene, s);
   const double own = scene.time.step;
   std::printf("\n%-28s %10s %10s   %s\n", "largest stable step [s]", "predicted", "measured",
@@ -94,8 +98,10 @@ int stability_command(const StabilityOptions& options) {
       continue;
     }
     throw_if_interrupted();
+    progress.begin(options.scene, "measuring " + info.name);
     const StableStep step = stable_step(s, info.name);
     const EnergyBalance balance = run_on(s, info.name, own);
+    progress.end();
     std::printf("%-28s %10s %10s   ", info.name.c_str(), seconds(step.slow).c_str(), seconds(step.measured).c_str());
     std::printf("%s; %s\n", verdict(step, own), energy_words(balance).c_str());
     flush_standard_output();
@@ -114,6 +120,8 @@ int stability_command(const StabilityOptions& options) {
 void add_stability_command(CLI::App& app, std::vector<Command>& all) {
   static StabilityOptions standing;
   auto* stability = app.add_subcommand("stability", "how long a step each method may take in a scene where it stands");
+  show_examples(stability, {"furrow stability validation/scenes/cantilever.toml --method pece --method rk4",
+                            "furrow stability validation/scenes/scenario_1.toml --at 0.4 --method pece"});
   stability->add_option("scene", standing.scene, "scene file (TOML)")->required()->type_name("");
   stability->add_option("--method", standing.methods, "methods (default: all that take a fixed step)")
       ->type_name("NAME");
