@@ -90,6 +90,23 @@ TEST(Published, NoNumberIsThereThatWasNotPrinted) {
   EXPECT_DOUBLE_EQ(verification::number_of_others("lattice of isotropy", "Poisson's ratio").number, 1.0 / 3);
 }
 
+// A case that is one of those problems has the number as it is printed there, digit by digit.
+TEST(Published, CasesHaveTheDigitsOfTheSource) {
+  for (const auto& [name, problem] :
+       std::map<std::string, std::string>{{"partial_slip_10", "test 4, 10 degrees"},
+                                          {"partial_slip_10_undamped_tangent", "test 4, 10 degrees"},
+                                          {"gross_slip_40", "test 4, 40 degrees"},
+                                          {"gross_slip_70", "test 4, 70 degrees"},
+                                          {"hertz_pair", "test 1, glass"},
+                                          {"hertz_wall", "test 2, aluminium alloy"}}) {
+    for (const Json& seen : verification::case_named(name)["observe"]) {
+      if (!seen.contains("published")) continue;
+      const double printed = verification::number_of_others(problem, seen["name"]).number;
+      EXPECT_NEAR(seen["published"].get<double>() / printed, 1, 1e-15) << name << ", " << seen["name"] << ": a unit";
+    }
+  }
+}
+
 // A wrong law must be seen: the same impact with other friction, and of a disc.
 TEST(Published, AnotherLawIsSeen) {
   const Json whole = verification::plain_case_from(embedded("verification/published/lammps.toml"), "lammps");

@@ -68,6 +68,33 @@ Expected dispersion(const Json& c) {
   return all;
 }
 
+// Along a row and along a diagonal the two polarisations of a square lattice part:
+//   q = (q, 0)  m w^2/4 = (k + kd) sin^2(q/2)             along q,   kd sin^2(q/2)  across it
+//   q = (q, q)  m w^2/4 = k sin^2(q/2) + kd sin^2(q)      along q,   k sin^2(q/2)   across it
+// A and q are read off the middle node and the ones beside it and above it.
+Expected square_lattice_waves(const Json& c) {
+  Expected all;
+  fill(all, c, [&](const Json& seen) {
+    const std::string node = seen["of"][0], name = node.substr(0, node.find('.'));
+    const Json& l = c["lattice"][c["lattice"][0]["name"] == name ? 0 : 1];
+    const std::size_t columns = l["columns"], middle = columns * columns / 2;  // columns: odd, as many as rows
+    const auto shape = [&](std::size_t n) { return vec(l["node"][n]["displacement"]); };
+    const Vec start = shape(middle);
+    const double q = std::acos(shape(middle + 1)[0] / start[0]);
+    const bool diagonal = shape(middle + columns)[0] != start[0];
+    const double half = std::pow(std::sin(q / 2), 2), whole = std::pow(std::sin(q), 2);
+    const double k = l["structural"]["stiffness"], kd = l["shear"]["stiffness"], m = l["node_mass"];
+    const double along = diagonal ? k * half + kd * whole : (k + kd) * half, across = diagonal ? k * half : kd * half;
+    const Vec e = diagonal ? Vec{std::sqrt(0.5), std::sqrt(0.5)} : Vec{1, 0}, f{-e[1], e[0]};
+    const auto way = [&](double square, Vec to) {
+      return dot(start, to) * (std::cos(2 * std::sqrt(square / m) * c["end"].get<double>()) - 1);
+    };
+    const Vec seen_along = vec(seen["direction"]);
+    return way(along, e) * dot(e, seen_along) + way(across, f) * dot(f, seen_along);
+  });
+  return all;
+}
+
 Expected cantilever(const Json& c) {
   const Json& l = c["lattice"][0];
   const Beam beam{.rows = l["rows"],
@@ -213,6 +240,7 @@ const std::map<std::string, Oracle>& spring_oracles() {
       {"circling", circling},
       {"chain mode", chain_mode},
       {"dispersion", dispersion},
+      {"waves of a square lattice", square_lattice_waves},
       {"cantilever", cantilever},
       {"rests", rests},
       {"tear by load", tear_by_load},
