@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
+
+#include "report/numbers.h"
 
 namespace furrow::benchmarks {
 
@@ -42,11 +43,7 @@ inline std::vector<double> ratios(const std::vector<double>& over, const std::ve
 }
 
 // Four digits: a time is not known better.
-inline double rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return std::stod(text);
-}
+inline double rounded(double value) { return to_digits(value, 4); }
 
 // How far the interval of a ratio that should be 1 reaches from 1.
 inline double noise_floor(const Interval& same) { return std::max(1 - same.low, same.high - 1); }

@@ -1,21 +1,17 @@
 #include "program/run_summary.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "scene/wording.h"
 
 namespace furrow {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::string digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
+std::string digits(double value) { return rounded(value, 3); }
 
 std::string said(const ordered_json& run, const char* key) {
   return run.contains(key) && run[key].is_number() ? digits(run[key].get<double>()) : "?";

@@ -80,12 +80,6 @@ void refuse_twins(const std::vector<Task>& tasks) {
   }
 }
 
-double three_digits(double value) {
-  if (!(value > 0)) return 0;
-  const double unit = std::pow(10.0, 2 - std::floor(std::log10(value)));
-  return std::round(value * unit) / unit;
-}
-
 // Work at the tasks from several threads; what one throws ends all and is thrown on.
 class Workers {
  public:
@@ -127,7 +121,7 @@ std::string hash_of_scene(Scene scene) {
 // A method's failure is a result. That the machine failed, or that somebody interrupted it, is none: it ends the study.
 std::pair<Json, double> result_of(const Task& task) {
   const double begun = cpu_seconds();
-  const auto spent = [begun] { return three_digits(cpu_seconds() - begun); };
+  const auto spent = [begun] { return to_digits(std::max(0.0, cpu_seconds() - begun), 3); };
   try {
     Json value = task.run();
     return {std::move(value), spent()};

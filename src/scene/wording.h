@@ -24,6 +24,18 @@ inline std::string rounded(double number, int digits) {
   return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits).ptr};
 }
 
+// So many decimals, as "%.3f" has them.
+inline std::string fixed(double number, int decimals) {
+  char text[400];  // the largest has 309 digits before its point
+  return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::fixed, decimals).ptr};
+}
+
+// So many decimals before the power of ten, as "%.2e" has them.
+inline std::string scientific(double number, int decimals) {
+  char text[64];
+  return {text, std::to_chars(text, text + sizeof text, number, std::chars_format::scientific, decimals).ptr};
+}
+
 // A sentence with numbers in it: the caller's global locale has no say in how they look.
 class Sentence : public std::ostringstream {
  public:

@@ -214,5 +214,62 @@ class OfChecks(Schemas):
         self.fails_where_it_is_wrong(schema, checks)
 
 
+class OfStudies(Schemas):
+
+    STUDIES = sorted((source / "reference_data/studies").glob("*.json"))
+
+    def setUp(self):
+        self.schema = validator("study")
+
+    def kept(self):
+        for file in self.STUDIES:
+            yield file.name, json.loads(file.read_text())
+
+    def test_all_kept_numbers_pass(self):
+        seen = set()
+        for name, study in self.kept():
+            self.passes(self.schema, study, name)
+            self.assertEqual(f"{study['study']}.json", name)
+            for result in study["results"]:
+                seen |= {key for key in result if key in ("timed", "maker", "input", "names")}
+                own = list(result["value"]) if isinstance(result["value"], dict) else []
+                seen |= {"failed"} & {*own, *self.names_of(study, result)}
+        self.assertEqual(seen, {"timed", "maker", "input", "names", "failed"}, "what the kept numbers show of the schema")
+
+    def names_of(self, study, result):
+        return study["names"][result["names"]] if "names" in result else []
+
+    def test_each_result_names_a_maker_and_names_that_are_there_and_no_other_result(self):
+        for name, study in self.kept():
+            keys = [result["key"] for result in study["results"]]
+            self.assertEqual(len(set(keys)), len(keys), name)
+            for result in study["results"]:
+                self.assertLess(result.get("maker", 0), len(study["makers"]), f"{name}: {result['key']}")
+                if "names" in result:
+                    self.assertEqual(len(result["value"]), len(self.names_of(study, result)), f"{name}: {result['key']}")
+
+    def test_what_no_study_writes_fails(self):
+        sources = {"src/run/run.cpp": "0123abcd"}
+        maker = {"commit": "63b8b18", "when": "2026-01-31T12:00:00Z", "compiler": "GNU 12.2.0", "flags": "-O3", "machine": "AMD EPYC",
+                 "load": 0.5, "sources": sources}
+        results = [{"key": "a", "input": "0123456789abcdef", "timed": True, "cpu": 0.1, "maker": 1, "value": [1.5], "names": 0},
+                   {"key": "b", "cpu": 0.1, "value": {"failed": "diverged"}}]
+        study = {"study": "s", "form": "full", "schema": 2, "makers": [maker, maker], "names": [["x"]], "results": results, "seal": "0123456789abcdef"}
+        self.passes(self.schema, study, "a sound one")
+        first, second = ("results", 0), ("results", 1)
+        for *path, value in ((*first, "value", 1.5), (*first, "cpu", -1), (*first, "cpu", "0.1"), (*first, "timed", False), (*first, "maker", 0.5),
+                             (*first, "maker", -1), (*first, "input", "xyz"), (*first, "names", -1), (*first, "key", ""), (*first, "words", "x"),
+                             (*second, "value", "failed", ""), (*second, "value", "failed", 1), ("makers", []), ("makers", 0, "load", -1),
+                             ("makers", 0, "when", "today"), ("makers", 0, "commit", ""), ("makers", 0, "sources", {"a.txt": "0123abcd"}),
+                             ("makers", 0, "sources", {"src/run/run.cpp": "0123"}), ("form", "short"), ("schema", 3), ("seal", "x"),
+                             ("names", [[]]), ("results", []), ("study", "S"), ("words", "x")):
+            changed = with_changed(study, path, lambda holder, key, value=value: holder.__setitem__(key, value))
+            self.assertFalse(self.schema.is_valid(changed), f"{path} = {value}")
+        may_be_missing = {"names", "input", "timed", "maker", "failed"}
+        for path in places(study):
+            if path and isinstance(path[-1], str) and path[-1] not in may_be_missing | set(sources):
+                self.assertFalse(self.schema.is_valid(with_changed(study, path, lambda holder, key: holder.__delitem__(key))), f"without {path}")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -143,10 +143,15 @@ TEST(CallersEnvironment, ItsLocaleChangesNoCharacterOfAMessage) {
 // As C prints it in its own locale; the program of another caller may have set another one.
 TEST(Rounded, IsWhatPrintfSays) {
   for (const double number : {0.0, 1.0, -2.5, 0.1, 1e-5, 1.23456e-7, 123456.0, 99999.5, 1e100, 0.099999, -1e-300}) {
-    for (const int digits : {2, 3, 6}) {
+    for (const int digits : {0, 2, 3, 6}) {
       char text[64];
       std::snprintf(text, sizeof text, "%.*g", digits, number);
       EXPECT_EQ(rounded(number, digits), text);
+      char decimals[400];
+      std::snprintf(decimals, sizeof decimals, "%.*f", digits, number);
+      EXPECT_EQ(fixed(number, digits), decimals);
+      std::snprintf(decimals, sizeof decimals, "%.*e", digits, number);
+      EXPECT_EQ(scientific(number, digits), decimals);
     }
   }
 }

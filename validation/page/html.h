@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
+
+#include "scene/wording.h"
 
 namespace furrow::validation {
 
@@ -19,10 +19,8 @@ inline std::string shown(double value) {
   const int power = size > 0 ? static_cast<int>(std::floor(std::log10(size) + 1e-9)) : 0;
   const bool scientific = power < -4 || power > 6;
   const double mantissa = scientific ? size / std::pow(10.0, power) : size;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", scientific ? 2 : std::max(0, 2 - power), mantissa);
-  std::string digits = text.data();
-  if (digits.find('.') != std::string::npos && std::strtod(text.data(), nullptr) == mantissa) {
+  std::string digits = fixed(mantissa, scientific ? 2 : std::max(0, 2 - power));
+  if (digits.find('.') != std::string::npos && std::strtod(digits.c_str(), nullptr) == mantissa) {
     digits.erase(digits.find_last_not_of('0') + 1);
     if (digits.back() == '.') digits.pop_back();
   }

@@ -1,12 +1,12 @@
 #include "validation/page/svg_path.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <vector>
+
+#include "scene/wording.h"
 
 namespace furrow::validation {
 namespace {
@@ -81,9 +81,7 @@ std::string relative(const std::vector<Point>& line) {
 }  // namespace
 
 std::string short_number(double value, int digits) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  std::string number = text.data();
+  std::string number = fixed(value, digits);
   if (number.find('.') != std::string::npos) {
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();

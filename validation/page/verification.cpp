@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
+#include "report/numbers.h"
 #include "report/seal.h"
 #include "validation/page/faults.h"
 #include "validation/page/html.h"
@@ -61,12 +61,6 @@ const std::vector<std::string>& columns() {
   return all;
 }
 
-double six_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return std::strtod(text, nullptr);
-}
-
 // The tightest first, as the tests leave them. Words that many checks share stand once.
 std::string data_of(const ordered_json& checks) {
   ordered_json words = ordered_json::array(), rows = ordered_json::array();
@@ -76,7 +70,7 @@ std::string data_of(const ordered_json& checks) {
     for (const std::string& column : columns()) {
       const ordered_json value = check.contains(column) ? check.at(column) : ordered_json();
       if (!value.is_string()) {
-        row.push_back(value.is_number_float() ? ordered_json(six_digits(value.get<double>())) : value);
+        row.push_back(value.is_number_float() ? ordered_json(to_digits(value.get<double>(), 6)) : value);
         continue;
       }
       const auto [place, fresh] = known.try_emplace(value.get<std::string>(), words.size());

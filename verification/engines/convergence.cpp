@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "scene/wording.h"
 
@@ -124,11 +123,7 @@ double left_elsewhere(const Finding& f, const std::vector<int>& steps, double fl
 
 }  // namespace
 
-std::string few(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
+std::string few(double value) { return rounded(value, 3); }
 
 double scale_of(const Json& seen, double expected) {
   if (seen.contains("scale")) return seen["scale"];

@@ -27,9 +27,7 @@ struct StabilityOptions {
 std::string seconds(double step) {
   if (std::isnan(step)) return "not known";
   if (std::isinf(step)) return "any";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", step);
-  return text;
+  return rounded(step, 3);
 }
 
 const char* verdict(const StableStep& step, double own) {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "benchmarks/measuring/samples.h"
+#include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/failures.h"
 #include "validation/page/chapters/names.h"
@@ -55,19 +55,15 @@ Values tolerances(const Numbers& numbers, const Subject& subject) {
 }
 
 std::string percent(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(),
-                std::fabs(value) < 1e-4  ? "%.1g %%"
-                : std::fabs(value) < 0.1 ? "%.2f %%"
-                                         : "%.0f %%",
-                100 * value);
-  return std::isnan(value) ? "–" : value == 0 ? "0" : text.data();
+  if (std::isnan(value)) return "–";
+  if (value == 0) return "0";
+  const double size = std::fabs(value), percent = 100 * value;
+  return (size < 1e-4 ? rounded(percent, 1) : fixed(percent, size < 0.1 ? 2 : 0)) + " %";
 }
 
 std::string amount(int observable, double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%+.3g", value);
-  return observable != torn ? percent(value) : std::isnan(value) ? "–" : value == 0 ? "0" : text.data();
+  if (observable != torn || std::isnan(value) || value == 0) return percent(value);
+  return (value > 0 ? "+" : "") + rounded(value, 3);
 }
 
 // Forces only where there is a plate, torn links where there is a lattice.

@@ -1,25 +1,15 @@
 // Observed orders as matrices, as slopes, and the energy of an oscillator.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "scene/wording.h"
 #include "validation/page/chapters/order_parts.h"
 
 namespace furrow::validation {
 
 using namespace verification;
 
-std::string fixed(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-std::string shown_order(double order) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", order);
-  return text;
-}
+std::string shown_order(double order) { return rounded(order, 6); }
 
 namespace {
 

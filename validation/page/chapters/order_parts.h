@@ -4,11 +4,11 @@
 #include <string>
 
 #include "report/study.h"
+#include "scene/wording.h"
 #include "verification/studies/order.h"
 
 namespace furrow::validation {
 
-std::string fixed(double value, int digits);
 std::string shown_order(double order);                     // 2, 2.5, 1.25
 std::string with_error(const verification::Slope& slope);  // "1.98 ± 0.01"
 std::string in_short(const verification::Slope& slope);    // "1.98(1)": the standard error in units of the last digit

@@ -1,6 +1,5 @@
 // What each kind of force leaves of an order, what restores it, and how else methods differ.
 #include <cmath>
-#include <cstdio>
 
 #include "validation/page/chapters/order_parts.h"
 #include "verification/studies/order_cure.h"
@@ -82,12 +81,6 @@ void cure_table(Report& report, const Observations& all) {
 
 namespace {
 
-std::string drift_text(double drift) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2e", drift);
-  return text;
-}
-
 std::string back_text(const std::vector<Point>& points) {
   return returns_exactly(points) ? "exact" : in_short(fitted_return(points));
 }
@@ -110,7 +103,7 @@ void trends_table(Report& report, const Observations& all) {
       const auto drift = amplified_drift(method.name, drift_angles[shown_angle]);
       row.insert(row.end(), {back_text(t.spring), back_text(t.hertz),
                              want ? std::isinf(*want) ? "exact" : shown_order(*want) : "-",
-                             drift_text(t.drift.at(shown_angle)), drift ? drift_text(*drift) : "-"});
+                             scientific(t.drift.at(shown_angle), 2), drift ? scientific(*drift, 2) : "-"});
     }
     rows.push_back(std::move(row));
   }

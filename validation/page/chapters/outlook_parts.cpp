@@ -1,7 +1,8 @@
 #include "validation/page/chapters/outlook_parts.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "scene/wording.h"
 
 namespace furrow::validation {
 namespace {
@@ -33,12 +34,7 @@ Estimate::Estimate(const std::string& id, const std::vector<Json>& members) {
 std::string Estimate::text() const {
   if (std::isnan(mean)) return "–";
   const int decimals = half > 0 ? std::max(0, 1 - static_cast<int>(std::floor(std::log10(half)))) : 0;
-  const auto to = [&](double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.*f", decimals, value);
-    return std::string(digits);
-  };
-  return half > 0 ? to(mean) + " ± " + to(half) : to(mean);
+  return fixed(mean, decimals) + (half > 0 ? " ± " + fixed(half, decimals) : "");
 }
 
 bool measured(const Numbers& numbers, const OutlookVariation& variation) {

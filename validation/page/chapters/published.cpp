@@ -1,9 +1,9 @@
 // Does each method carry what others have solved, and does its error fall as it says?
 #include "verification/studies/published.h"
 
-#include <cstdio>
 #include <map>
 
+#include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
 #include "verification/studies/kept_numbers.h"
 #include "verification/studies/order_predicted.h"
@@ -13,16 +13,10 @@ namespace {
 
 using namespace verification;
 
-std::string with_digits(double value, const char* format) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::string stated(const MethodInfo& method) {
   Problem smooth;
   smooth.limit = no_limit;
-  return method.controlled ? "tolerance^" + with_digits(predicted_exponents(method, smooth).smooth, "%.2g")
+  return method.controlled ? "tolerance^" + rounded(predicted_exponents(method, smooth).smooth, 2)
                            : "h^" + std::to_string(method.order);
 }
 
@@ -30,7 +24,7 @@ std::string shown(const Json& cell) {
   if (cell.contains("cannot")) return "cannot";
   if (cell.contains("failed")) return "failed !";
   const std::string words =
-      cell["slope"].is_null() ? "< " + with_digits(number(cell["error"]), "%.0e") : with_digits(cell["slope"], "%.2f");
+      cell["slope"].is_null() ? "< " + scientific(number(cell["error"]), 0) : fixed(cell["slope"], 2);
   return words + (cell["holds"] ? "" : " !");
 }
 

@@ -31,7 +31,7 @@ std::string widest_bound(const Numbers& numbers) {
   for (const std::string width : {"avx512", "avx2", "none"}) {
     const auto times = contact_times(kernel_report(numbers, width));
     if (times.contains("bound"))
-      return " The arithmetic of a contact takes at least " + in_digits(times.at("bound"), 3) +
+      return " The arithmetic of a contact takes at least " + rounded(times.at("bound"), 3) +
              " ns there (vectors: " + width + "; see below).";
   }
   return {};
@@ -42,17 +42,17 @@ double ratio_of(const Json& program) { return program.at("ratio")[1].get<double>
 // The first screen. same: null if no program of the same law agrees.
 void add_headlines(Report& report, const Json& pece, const Json& best, const Json* same) {
   report.headline({.tile = "fast",
-                   .value = in_digits(pece.at("cpu_time").get<double>(), 3) + " µs a step",
+                   .value = rounded(pece.at("cpu_time").get<double>(), 3) + " µs a step",
                    .text = "of the paper's method, two evaluations, in a bed of 230 discs on one core."});
   const Json& first = same ? *same : best;
   std::string text = "takes " + first.at("run_name").get<std::string>() + " (" + first.at("label").get<std::string>() +
-                     ") as furrow with one evaluation a step; " + in_digits(ratio_of(first) / ratio_of(pece), 3) +
+                     ") as furrow with one evaluation a step; " + rounded(ratio_of(first) / ratio_of(pece), 3) +
                      " times beside the paper's method, with two.";
   if (same && same != &best)
     text += " The fastest, " + best.at("run_name").get<std::string>() +
-            ", has another law: " + in_digits(ratio_of(best), 3) + " and " +
-            in_digits(ratio_of(best) / ratio_of(pece), 3) + ".";
-  report.headline({.tile = "engines", .value = in_digits(ratio_of(first), 3) + " times as long", .text = text});
+            ", has another law: " + rounded(ratio_of(best), 3) + " and " + rounded(ratio_of(best) / ratio_of(pece), 3) +
+            ".";
+  report.headline({.tile = "engines", .value = rounded(ratio_of(first), 3) + " times as long", .text = text});
 }
 
 void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
@@ -83,14 +83,14 @@ void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
   report.text("The second scene with what every program can express: " + context.at("discs").dump() +
               " discs that furrow has settled, E = 2e7 Pa, restitution 0.5, friction with history, no rolling, steps "
               "of 1e-4 s. A program agrees if after half a second at rest its bed is as high as furrow's within " +
-              in_digits(1e3 * context.at("height_tolerance").get<double>(), 3) +
-              " mm, and its mean push on the plate is " + in_digits(context.at("push").get<double>(), 3) +
-              " N within " + in_digits(context.at("push_tolerance").get<double>(), 3) +
+              rounded(1e3 * context.at("height_tolerance").get<double>(), 3) +
+              " mm, and its mean push on the plate is " + rounded(context.at("push").get<double>(), 3) + " N within " +
+              rounded(context.at("push_tolerance").get<double>(), 3) +
               " N, four standard deviations of furrow's own runs from starts that differ by 1e-9 m. Each program is "
               "run in turn with the others, on one thread of " +
               context.at("machine").get<std::string>() +
               "; what it needs to start is taken off. Time a contact is that of a step over its evaluations and the " +
-              in_digits(context.at("contacts").get<double>(), 3) + " contacts that touch on average." +
+              rounded(context.at("contacts").get<double>(), 3) + " contacts that touch on average." +
               widest_bound(numbers));
   report.table(
       "CPU time of a step over that of furrow with one evaluation a step: median and its 95 % interval",
@@ -112,13 +112,13 @@ void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
   const double over = (*best)["ratio"][1].get<double>() / pece->at("ratio")[1].get<double>();
   report.claim({.text = "CPU time of the fastest rival that agrees, " + (*best)["run_name"].get<std::string>() +
                         ", over that of furrow with one evaluation a step.",
-                .value = in_digits((*best)["ratio"][1].get<double>(), 3) + " times",
+                .value = rounded((*best)["ratio"][1].get<double>(), 3) + " times",
                 .aim = "more than 1",
                 .holds = (*best)["ratio"][0].get<double>() > 1,
                 .timed = true});
   report.claim({.text = "CPU time of the fastest rival that agrees, " + (*best)["run_name"].get<std::string>() +
                         ", over that of the paper's method in furrow, which has two evaluations a step.",
-                .value = in_digits(over, 3) + " times",
+                .value = rounded(over, 3) + " times",
                 .aim = "at least 4",
                 .holds = over >= 4,
                 .timed = true});
@@ -149,7 +149,7 @@ void add_limit(Report& report, const Numbers& numbers) {
   report.table("CPU time of a contact in ns, median of nine, by the vectors that the kernel may use; " + machines,
                {"vectors", "limit [ns]", "law [ns]", "all [ns]", "law over limit", "all over limit"}, rows);
   report.claim({.text = "With the widest vectors: time of all of a contact's work over the machine's limit.",
-                .value = in_digits(all_over, 3) + " times",
+                .value = rounded(all_over, 3) + " times",
                 .aim = "at most 2.5",
                 .holds = all_over <= 2.5,
                 .timed = true});

@@ -90,8 +90,8 @@ void add_beyond(Report& report, const Numbers& numbers) {
                {"discs", "friction", "on", "greatest [N]", "error at 1e-4 s", "error at 1e-5 s", "order"}, parts);
   report.claim(
       {.text = "Without friction: the least order, and the greatest error at 1e-5 s, of an exported bed's forces.",
-       .value = in_digits(worst.order, 3) + ", " + in_digits(worst.error, 2),
-       .aim = "at least " + in_digits(aim_of_order, 1) + ", below " + in_digits(aim_of_error, 1),
+       .value = rounded(worst.order, 3) + ", " + rounded(worst.error, 2),
+       .aim = "at least " + rounded(aim_of_order, 1) + ", below " + rounded(aim_of_error, 1),
        .holds = worst.order >= aim_of_order && worst.error < aim_of_error});
   report.table(
       "A step, in µs: medians; how many other programs ran is the load",

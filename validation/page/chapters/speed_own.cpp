@@ -1,5 +1,4 @@
 // Of furrow alone: where the instructions go, and how many discs.
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -9,12 +8,6 @@ namespace furrow::validation {
 Json measured(const Numbers& numbers, const std::string& file) {
   const Result* result = numbers.find(file);
   return result ? result->value : Json();
-}
-
-std::string in_digits(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
 }
 
 namespace {
@@ -34,7 +27,7 @@ void name_also(std::string& machines, const Json& google) {
 }
 
 std::string spread(const Json& three) {
-  const auto part = [&](int k) { return in_digits(three.at(k).get<double>(), 3); };
+  const auto part = [&](int k) { return rounded(three.at(k).get<double>(), 3); };
   return part(1) + " [" + part(0) + ", " + part(2) + "]";
 }
 
@@ -65,7 +58,7 @@ void add_profile(Report& report, const Numbers& numbers) {
   std::vector<Json> whole{"all"};
   for (const Json& scene : scenes) whole.push_back(scene.at("a_step"));
   rows.push_back(whole);
-  const auto a_disc = [&](int k) { return in_digits(scenes.at(k).at("a_disc_and_evaluation").get<double>(), 3); };
+  const auto a_disc = [&](int k) { return rounded(scenes.at(k).at("a_disc_and_evaluation").get<double>(), 3); };
   report.heading("Where the instructions go");
   report.text(
       "The paper's three scenes from a settled bed to their end, step for step with their ledger and files, counted by "
@@ -174,18 +167,18 @@ void add_scale(Report& report, const Numbers& numbers) {
   }
   if (times.size() < 4) return;
   report.claim({.text = "From cache to memory: time of a disc in an evaluation of a million over that in one of 2,300.",
-                .value = in_digits(most / least, 2) + " times",
+                .value = rounded(most / least, 2) + " times",
                 .aim = "at most 1.5",
                 .holds = most / least <= 1.5,
                 .timed = true});
   report.claim({.text = "Disc-evaluations a second of a million discs on one thread.",
-                .value = in_digits(1e3 / most, 3) + " million",
+                .value = rounded(1e3 / most, 3) + " million",
                 .aim = "at least 20 million",
                 .holds = 1e3 / most >= 20,
                 .timed = true});
   if (gain.is_number())
     report.claim({.text = "Two threads in an evaluation of a million discs, times as fast as one.",
-                  .value = in_digits(gain.get<double>(), 3) + " times",
+                  .value = rounded(gain.get<double>(), 3) + " times",
                   .aim = "at least 1.8",
                   .holds = gain.get<double>() >= 1.8,
                   .timed = true});

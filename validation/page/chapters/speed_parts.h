@@ -4,6 +4,7 @@
 #include <string>
 
 #include "report/study.h"
+#include "scene/wording.h"
 
 namespace furrow::validation {
 
@@ -21,8 +22,6 @@ void name_also(std::string& machines, const Json& google);
 
 // What the page should show and nobody measured is a claim that does not hold.
 void not_measured(Report& report, const std::string& what, const std::string& by);
-
-std::string in_digits(double value, int digits);
 
 // Of least, middle and most: "1.6 [1.56, 1.72]".
 std::string spread(const Json& three);

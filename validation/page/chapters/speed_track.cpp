@@ -1,5 +1,4 @@
 // Of furrow alone: from commit to commit.
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -79,7 +78,7 @@ void add_tracking(Report& report, const Numbers& numbers) {
     row.push_back(kernel.at("cpu_time"));
     row.push_back(compared ? Json(spread(kernel["ratio"])) : Json());
     row.push_back(compared ? Json(100 * kernel["noise"].get<double>()) : Json());
-    row.emplace_back(kernel.at("error").is_null() ? "-" : in_digits(kernel["error"], 2));
+    row.emplace_back(kernel.at("error").is_null() ? "-" : rounded(kernel["error"], 2));
     row.push_back(kernel.at("verdict"));
     rows.push_back(row);
   }

@@ -1,7 +1,6 @@
 // How long may a step be, method by method and damping ratio by damping ratio?
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "scene/wording.h"
@@ -70,11 +69,7 @@ Figure atlas_figure(const std::vector<AtlasEntry>& atlas, const std::vector<Stan
   return figure;
 }
 
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
-  return text;
-}
+std::string percent(double share) { return rounded(100 * share, 2) + " %"; }
 
 // Beyond the last point of the boundary, where damping alone counts, the limit falls as 1/zeta: the dotted line.
 bool outside(const AtlasEntry& e, const OperatingPoint& point) {

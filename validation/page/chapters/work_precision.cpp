@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/names.h"
 #include "validation/page/chapters/precision_chart.h"
@@ -17,12 +17,6 @@ namespace {
 using namespace benchmarks;
 
 constexpr std::array<double, 4> targets{1e-2, 1e-3, 1e-4, 1e-6};
-
-std::string shown(double value, const char* pattern = "%.2g") {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), pattern, value);
-  return text.data();
-}
 
 Json number_or_dash(double value) { return std::isnan(value) ? Json("–") : Json(value); }
 
@@ -39,8 +33,9 @@ void add_gains(Report& report, const std::vector<Found>& all) {
     const WorkPrecisionPoint* paper = paper_point(f);
     std::vector<std::pair<std::string, double>> asked;
     if (paper)
-      asked.emplace_back(shown(paper->error_by(f.info.by_force)) + ", the paper's", paper->error_by(f.info.by_force));
-    for (const double target : targets) asked.emplace_back(shown(target), target);
+      asked.emplace_back(rounded(paper->error_by(f.info.by_force), 2) + ", the paper's",
+                         paper->error_by(f.info.by_force));
+    for (const double target : targets) asked.emplace_back(rounded(target, 2), target);
     for (const auto& [words, error] : asked) {
       std::vector<Json> row{scene_words(f.info.name), words};
       for (const auto cost : {&WorkPrecisionPoint::evaluations, &WorkPrecisionPoint::cpu}) {
@@ -75,9 +70,9 @@ void add_gains(Report& report, const std::vector<Found>& all) {
 std::string bound(const Found& f, double papers) {
   if (!f.fastest.is_number()) return "";
   const double fastest = f.fastest, least = fastest * (f.info.span.end() - f.info.span.start) / 2;
-  return " In " + scene_words(f.info.name) + " the fastest decay where the chart begins is " + shown(fastest) +
-         " 1/s, so the others need " + shown(least) + " evaluations to stay stable at all, " +
-         shown(100 * least / papers, "%.0f") + " % of the paper's.";
+  return " In " + scene_words(f.info.name) + " the fastest decay where the chart begins is " + rounded(fastest, 2) +
+         " 1/s, so the others need " + rounded(least, 2) + " evaluations to stay stable at all, " +
+         fixed(100 * least / papers, 0) + " % of the paper's.";
 }
 
 // What the paper's own error costs another method, case by case.
@@ -98,12 +93,12 @@ void add_paper(Report& report, const std::vector<Found>& all) {
     const Cheapest by_cpu = cheapest_at(f, error, &WorkPrecisionPoint::cpu);
     const double count = by_count.cost / paper->evaluations;
     const double cpu = by_cpu.cost / paper->cpu;
-    rows.push_back({name, shown(error), by_count.method, shown(100 * count, "%.1f") + " %", by_cpu.method,
-                    shown(100 * cpu, "%.1f") + " %"});
+    rows.push_back({name, rounded(error, 2), by_count.method, fixed(100 * count, 1) + " %", by_cpu.method,
+                    fixed(100 * cpu, 1) + " %"});
     if (count <= 1.0 / 3 && cpu <= 1.0 / 3) {
       ++held;
     } else {
-      missed += "; " + name + ": " + shown(100 * count, "%.1f") + " % and " + shown(100 * cpu, "%.1f") + " %";
+      missed += "; " + name + ": " + fixed(100 * count, 1) + " % and " + fixed(100 * cpu, 1) + " %";
       why += bound(f, paper->evaluations);
     }
   }
@@ -143,8 +138,8 @@ void add_headline(Report& report, const std::vector<Found>& all) {
     if (!f.info.by_force || !paper) continue;
     const double error = paper->error_by(true);
     const Cheapest best = cheapest_at(f, error, &WorkPrecisionPoint::evaluations);
-    errors += (errors.empty() ? "" : ", ") + shown(100 * error) + " %";
-    shares += (shares.empty() ? "" : ", ") + shown(100 * best.cost / paper->evaluations) + " % (" +
+    errors += (errors.empty() ? "" : ", ") + rounded(100 * error, 2) + " %";
+    shares += (shares.empty() ? "" : ", ") + rounded(100 * best.cost / paper->evaluations, 2) + " % (" +
               spelt_out(best.method) + ")";
   }
   if (!errors.empty())

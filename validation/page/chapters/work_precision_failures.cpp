@@ -1,9 +1,8 @@
 // Which methods failed in the work-precision study, at which setting, and which were not run.
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
 
+#include "scene/wording.h"
 #include "validation/page/chapters/names.h"
 #include "validation/page/chapters/work_precision_found.h"
 
@@ -11,12 +10,6 @@ namespace furrow::validation {
 namespace {
 
 using namespace benchmarks;
-
-std::string shown(double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", value);
-  return text.data();
-}
 
 // The finest setting at which a method failed; null if it never did.
 const WorkPrecisionPoint* finest_failure(const WorkPrecisionCurve& curve) {
@@ -49,8 +42,8 @@ void add_failures(Report& report, const std::vector<Found>& all) {
       }
       const WorkPrecisionPoint* finest = finest_failure(curve);
       if (!finest) continue;
-      failed[curve.name()][f.info.name] = shown(finest->setting);
-      if (example.empty()) example = curve.name() + " at " + shown(finest->setting) + ": " + finest->failure;
+      failed[curve.name()][f.info.name] = rounded(finest->setting, 2);
+      if (example.empty()) example = curve.name() + " at " + rounded(finest->setting, 2) + ": " + finest->failure;
     }
   }
   std::vector<std::vector<Json>> failures, absent;
