@@ -16,7 +16,7 @@ std::string why_old(const Age& age) {
     std::string since;
     if (!age.changed.empty()) since = "these sources changed: " + listed(age.changed, 8);
     if (!age.inputs.empty())
-      since += (since.empty() ? "" : "; ") + ("the input of these did: " + listed(age.inputs, 8));
+      since += (since.empty() ? "" : "; ") + ("the input of these changed: " + listed(age.inputs, 8));
     words = std::to_string(age.old - age.unknown) + " of them were made before " + since + ".";
   }
   if (age.unknown > 0)
