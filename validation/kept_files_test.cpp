@@ -39,24 +39,25 @@ Json faults(const std::string& changed) {
                                         {"file", "src/kernel/a.cpp"},
                                         {"kind", "fault"},
                                         {"input", inputs_of_faults().at(name)},
-                                        {"maker", 0},
+                                        {"maker", 0u},
                                         {"failed", Json::array({"A.B"})},
                                         {"left_out", Json::array()},
                                         {"by_property", Json::array({"C.D"})},
-                                        {"property_maker", 0}}})},
+                                        {"property_maker", 0u}}})},
           {"noticed_nothing", Json::object()}};
 }
 
 Json judgements(const std::string& changed) {
   const Json verdicts{{"spring", {"right", ""}}};
-  const auto engine = [&](const char* name, bool foreign, int place) {
+  const auto engine = [&](const char* name, bool foreign, unsigned place) {
     return Json{{"engine", name}, {"method", ""}, {"foreign", foreign}, {"maker", place}, {"verdicts", verdicts}};
   };
-  return {{"makers",
-           {maker("judged_furrow", changed), maker("judged_independent", changed), maker("judged_others", changed)}},
-          {"cases", {{"spring", "A mass on a spring"}}},
-          {"inputs", {{"spring", input_of_case("spring")}}},
-          {"engines", {engine("furrow 1", false, 0), engine("independent 1", false, 1), engine("LAMMPS 1", true, 2)}}};
+  return {
+      {"makers",
+       {maker("judged_furrow", changed), maker("judged_independent", changed), maker("judged_others", changed)}},
+      {"cases", {{"spring", "A mass on a spring"}}},
+      {"inputs", {{"spring", input_of_case("spring")}}},
+      {"engines", {engine("furrow 1", false, 0u), engine("independent 1", false, 1u), engine("LAMMPS 1", true, 2u)}}};
 }
 
 TEST(AgeOfFaults, IsOfTheSolverAndOfTheTestsThatNoticeThem) {

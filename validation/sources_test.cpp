@@ -93,15 +93,15 @@ TEST(SourcesOfAStudy, AreAllFilesThatItIncludes) {
 std::vector<std::string> begins_with(const std::string& what) {
   const std::string engines = "verification/engines/";
   if (what == "judged_furrow") return {engines + "furrow_engine.cpp", engines + "judge.cpp"};
-  if (what == "judged_independent")
-    return {engines + "independent_main.cpp", engines + "independent_geometry.cpp", engines + "independent_laws.cpp",
-            engines + "judge.cpp"};
   if (what == "judged_others") return {engines + "judge.cpp"};
-  std::vector<std::string> pages{"tests/studies/work_precision_counts.cpp"};
-  for (const auto& entry : fs::directory_iterator(root / "verification")) {
-    if (entry.path().extension() == ".cpp") pages.push_back(fs::relative(entry.path(), root));
+  const bool independent = what == "judged_independent";
+  std::vector<std::string> files{independent ? engines + "judge.cpp" : "tests/studies/work_precision_counts.cpp"};
+  for (const auto& entry : fs::directory_iterator(root / (independent ? "verification/engines" : "verification"))) {
+    const std::string name = entry.path().filename();
+    if (entry.path().extension() == ".cpp" && (!independent || name.starts_with("independent")))
+      files.push_back(fs::relative(entry.path(), root));
   }
-  return pages;
+  return files;
 }
 
 // How a program is started and how the files of a run are written decides no verdict; the text of a case goes into it

@@ -35,8 +35,8 @@ Beginnings of_faults() {
                  "verification/fault_study/trial.",
                  "verification/fault_study/workshop."};
   for (const auto& [file, hash] : sources_of_this_program()) {
-    const bool is_page = file.starts_with("verification/") && file.find('/') == file.rfind('/');
-    if (is_page && file != "verification/commands.h") own.push_back(file);
+    const bool of_pages = file.starts_with("verification/") && file.find('/') == file.rfind('/');
+    if (of_pages && file != "verification/commands.h") own.push_back(file);
   }
   for (const char* study :
        {"amplification.", "blow_up.", "growth.", "numbers_of_others.", "order_cure.", "order_hertz.", "order_observed.",
