@@ -8,7 +8,7 @@
 
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/failures.h"
-#include "validation/page/chapters/names.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -60,12 +60,13 @@ std::string percent(double value) {
                 : std::fabs(value) < 0.1 ? "%.2f %%"
                                          : "%.0f %%",
                 100 * value);
-  return std::isnan(value) ? "–" : value == 0 ? "0" : text.data();
+  return std::isnan(value) ? "–" : std::fabs(value) < 1e-12 ? "0" : text.data();  // but for round-off
 }
 
-std::string amount(int observable, double value) {
+// with_sign: a plus before what is more.
+std::string amount(int observable, double value, bool with_sign = true) {
   std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%+.3g", value);
+  std::snprintf(text.data(), text.size(), with_sign ? "%+.3g" : "%.3g", value);
   return observable != torn ? percent(value) : std::isnan(value) ? "–" : value == 0 ? "0" : text.data();
 }
 
@@ -104,7 +105,7 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
     const double doubt = m.spread / std::sqrt(static_cast<double>(effects[o].size()));
     if (is_shown(subject, o))
       v.row.emplace_back(amount(static_cast<int>(o), m.mean) +
-                         (doubt > 0 ? " ± " + amount(static_cast<int>(o), doubt) : ""));
+                         (doubt > 0 ? " ± " + amount(static_cast<int>(o), doubt, false) : ""));
     if (std::isnan(tolerance[o]) || std::isnan(m.mean) || !is_shown(subject, o)) continue;
     ++compared;
     if (std::fabs(m.mean) > tolerance[o]) which += (which.empty() ? "" : ", ") + std::string(observables[o]);
@@ -119,7 +120,7 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
 }
 
 void add_subject(Report& report, const Numbers& numbers, const Subject& subject) {
-  report.heading(scene_words(subject.name));
+  report.heading(capital(scene_words(subject.name)));
   std::vector<std::string> head{"without", "verdict"};
   std::vector<Json> limit{"tolerance", ""};
   const Values tolerance = tolerances(numbers, subject);

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
-#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/work_precision_found.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
