@@ -172,6 +172,46 @@ class Page(unittest.TestCase):
                 cut[file.name] = outside
         self.assertEqual(cut, {})
 
+    # ---- figures, terms, numbers ----
+
+    def test_a_curve_under_the_pointer_stands_out_and_says_its_name(self):
+        b = self.open()
+        figure = "#figure_work_precision_scenario_1"
+        if not b.run(f"!!document.querySelector('{figure}')"):
+            self.skipTest("the page was made without studies")
+        b.run(f"document.querySelector('{figure}').scrollIntoView()")
+        b.wait(f"document.querySelector('{figure} g[data-name=\"ab2\"] path')")
+        self.assertEqual(b.run("document.querySelectorAll('.plot g > title').length"), 0, "the browser's own titles would come too")
+        x, y, faint = b.run(f"""(() => {{ const path = document.querySelector('{figure} g[data-name="ab2"] path'), at = path.getPointAtLength(path.getTotalLength() / 2);
+            const place = new DOMPoint(at.x, at.y).matrixTransform(path.getScreenCTM());
+            return [place.x, place.y, +getComputedStyle(path.closest('[opacity]')).opacity]; }})()""")
+        self.assertLess(faint, 0.7, "what is not in front is faint")
+        b.call("Input.dispatchMouseEvent", type="mouseMoved", x=x + 2, y=y + 2)
+        name = b.wait("(l => !l.hidden && l.textContent)(document.querySelector('.curve_name'))")
+        lit = b.run(f"[...document.querySelectorAll('{figure} g.lit')].map(g => g.dataset.name)")
+        self.assertTrue(lit and set(lit) == {name}, (lit, name))
+        self.assertEqual(b.run(f"+getComputedStyle(document.querySelector('{figure} g.lit [opacity]') ?? document.querySelector('{figure} g.lit path')).opacity"), 1)
+        b.call("Input.dispatchMouseEvent", type="mouseMoved", x=2, y=2)
+        b.wait("document.querySelector('.curve_name').hidden")
+        self.assertEqual(b.run("document.querySelectorAll('g.lit').length"), 0)
+
+    def test_terms_are_explained_where_a_section_first_uses_them(self):
+        b = self.open()
+        if not b.run("!!document.querySelector('#study_work_precision')"):
+            self.skipTest("the page was made without studies")
+        linked = b.run("[...document.querySelectorAll('#study_work_precision a.term')].map(a => [a.textContent, a.getAttribute('href'), a.title])")
+        self.assertEqual(len({name for name, _, _ in linked}), len(linked), "each once")
+        self.assertTrue({"pece", "rkc", "+t", "+e"} <= {name for name, _, _ in linked}, linked)
+        self.assertTrue(all(title for _, _, title in linked))
+        self.assertEqual(b.run("document.querySelectorAll('button a.term').length"), 0)
+
+    def test_numbers_of_checks_are_written_as_those_of_tables(self):
+        b = self.open()
+        b.run("document.querySelector('details.suite').open = true")
+        b.wait("document.querySelector('details.suite table.checks td')")
+        cells = b.run("[...document.querySelectorAll('details.suite table.checks td.number')].map(c => c.firstChild.textContent)")
+        self.assertEqual([c for c in cells if re.search(r"\de[+−-]?\d|\d{5,}(?!.*\.)", c.split(".")[0])], [])
+
     # ---- the players ----
 
     def test_a_player_plays_and_pauses(self):
@@ -305,7 +345,7 @@ class Page(unittest.TestCase):
 
     def test_the_step_is_said_to_be_above_or_below_the_limit_in_each_scene(self):
         rows = self.table(self.open(), "Is the step of each scene below")
-        at_lattice = [r for r in rows if r[0] == "scene 3, plate at the lattice"]
+        at_lattice = [r for r in rows if r[0] == "scene 3, discs" and r[1].startswith("as the plate meets the lattice")]
         self.assertEqual(len(at_lattice), 1)
         for row in rows:
             wanted = "above the limit" if float(row[2]) > 1 else "below the limit"

@@ -96,8 +96,40 @@ TEST(Report, ShowsWhatTheRunDidToTheValidityOfItsLaws) {
         "|energy of a contact, of what carries the one through the other|kept|0|0.01|–|–|"})
     EXPECT_TRUE(has(page, row)) << row;
   const std::string table = text_of(run.path() / "page/scenes.md");
-  EXPECT_TRUE(has(table, "| scenario_1 | 11 | <span class=\"missing\">missing</span> | ")) << table;
+  EXPECT_TRUE(has(table, "| scene 1 | 11 | <span class=\"missing\">missing</span> | ")) << table;
   EXPECT_TRUE(has(table, " | 0.625 | <span class=\"missing\">missing</span> | 2.5 | warned |")) << table;
+}
+
+// The watch has the most of all times of the run, the ledger's last row what is left at its end.
+TEST(Report, HasOneNumberForTheEnergyThatARunMade) {
+  RunDirectory run;
+  run.force({{-3, 4}, {-30, 40}, {0, 0}});
+  run.write("run.json",
+            "{\"ended\": \"finished\", \"steps\": 10, \"warnings\": [], \"validity\": {\"verdict\": \"allowed\", "
+            "\"energy_made\": {\"verdict\": \"allowed\", \"worst\": 0.21875, \"warns_above\": 0.01, "
+            "\"ends_above\": 0.1, \"allowed\": 0.35, \"time\": 0.25, \"where\": \"\", \"times\": 7}}}");
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page,
+                  "is 0.075 J: the method or a law made 21.9 % of all the energy that the scene was given, out of "
+                  "nothing"));
+  EXPECT_TRUE(has(page,
+                  "<td class=\"number\">21.9 %</td>\n<td class=\"number\">1 %</td>\n<td class=\"number\">10 "
+                  "%</td>\n<td class=\"number\">35 %</td>"));
+  EXPECT_FALSE(has(page, "of the work)")) << "0.075 J of 4.8 J would be another number";
+  EXPECT_TRUE(has(text_of(run.path() / "page/scenes.md"), " | 21.9 % | "));
+}
+
+TEST(Report, NamesASceneOfThePaperByItsNumber) {
+  RunDirectory run;
+  run.force({{-3, 4}, {-30, 40}, {0, 0}});
+  Scene scene = test::three_node_scene();
+  scene.title = "First scene of the paper: three nodes";
+  run.write("scene.toml", canonical_text(scene));
+  const std::string page = page_of(run);
+  EXPECT_TRUE(has(page, "</span>Scene 1: three nodes <a"));
+  EXPECT_TRUE(has(page, "aria-label=\"Scene 1: three nodes: the force on the plate"));
+  EXPECT_TRUE(has(page, "<th scope=\"col\">scene 1</th>")) << "of the table of runs";
+  EXPECT_FALSE(has(page, "First scene of the paper"));
 }
 
 TEST(Report, ShowsNotANumberAsMissing) {

@@ -51,6 +51,25 @@ TEST(Svg, ALongLineKeepsItsPeaksAndLosesWhatNoEyeMisses) {
   EXPECT_EQ(less, "M0 100l499 0 1-100 1 100 499 0");
 }
 
+// What is faint in a chart stays so in the page: lines, dots, other marks.
+TEST(Svg, WhatIsFaintStaysFaint) {
+  const std::string
+      line = "\t<path stroke='rgb(  0, 114, 178)' opacity='0.40'  d='M1,2 L3,4  '/>",
+      dot = "\t<use xlink:href='#gpPt6' transform='translate(10,20) scale(2.00)' color='rgb(1, 2, 3)' opacity='0.40'/>",
+      mark =
+          "\t<use xlink:href='#gpPt2' transform='translate(10,20) scale(2.00)' color='rgb(1, 2, 3)' opacity='0.40'/>";
+  for (const std::string& faint : {line, dot, mark}) {
+    const std::string svg = compacted(drawing(group(faint)), "x", "faint");
+    EXPECT_TRUE(has(svg, " opacity=\".4\"")) << svg;
+    std::string whole = faint;
+    whole.erase(whole.find(" opacity='0.40'"), 15);
+    EXPECT_FALSE(has(compacted(drawing(group(whole)), "x", "whole"), "opacity")) << whole;
+  }
+  const std::string both =
+      compacted(drawing(group(dot + "\n" + dot.substr(0, dot.find(" opacity")) + "/>\n")), "x", "x");
+  EXPECT_TRUE(has(both, "stroke=\"#010203\" opacity=\".4\"") && has(both, "stroke=\"#010203\" stroke-width")) << both;
+}
+
 TEST(Svg, LinesKeepColourWidthAndDashes) {
   const std::string svg = compacted(
       drawing(group("\t<path stroke='rgb(  0, 114, 178)' stroke-dasharray='2,4'  d='M1,2 L3,4  '/>")), "x", "a line");

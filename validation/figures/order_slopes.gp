@@ -1,10 +1,10 @@
 # Error against step, a panel for each kind of force. Given: panels, curves, blocks points (panel curve step error), theory (panel
-# step error step error), panel (panel low high title), labels (panel step error slope), names (curve 0 name).
+# step error step error), panel (panel low high contact title): contact is 1 if the step is over the duration of a contact, labels (panel step error slope), names (curve 0 name).
 if (!exists('curves')) curves = 6  # of a study kept before there was a number
 across = 4
 down = ceil((panels + 1) / across)
 wide = 1080.0
-each = 262.0
+each = 282.0
 tall = each * down
 set terminal svg size wide, tall font 'sans-serif,13' enhanced
 unset key
@@ -42,12 +42,13 @@ do for [p=0:panels-1] {
   set ytics decades > 6 ? 100 : 10
   set xrange [step_min / 2.2:step_max * 1.3]
   set yrange [low_min:high_min]
-  if (p + across >= panels) { set xlabel 'step' offset 0, 0.8 } else { unset xlabel }
-  if (column_of != 0) { unset ylabel } else { set ylabel 'error' offset 1.4, 0 }
+  stats $panel using ($1 == p ? $4 : NaN) name 'contact' nooutput
+  set xlabel (contact_max > 0.5 ? 'step {/:Italic h/T}' : 'step {/:Italic hω}') offset 0, 0.9 font ',13'
+  if (column_of != 0) { unset ylabel } else { set ylabel 'error of the position' offset 1.4, 0 font ',13' }
   plot $theory using ($1 == p ? $2 : NaN):3:($4 - $2):($5 - $3) with vectors nohead ls 9, \
        for [k=0:curves - 1] $points using ($1 == p && $2 == k ? $3 : NaN):4 with linespoints ls (k < 5 ? k + 1 : 6), \
        $labels using ($1 == p ? $2 : NaN):3:(strcol(4)) with labels right offset -0.5, 0 font ',12' tc rgb '#444444', \
-       $panel using ($1 == p ? sqrt(step_min * step_max) : NaN):3:(strcol(4)) with labels offset 0, 0.9 font ',14' noenhanced
+       $panel using ($1 == p ? sqrt(step_min * step_max) : NaN):3:(strcol(5)) with labels offset 0, 0.9 font ',14' noenhanced
 }
 # The key, where the next panel would be.
 column_of = panels - across * floor(panels / across)

@@ -1,7 +1,7 @@
 # Error against cost, in evaluations of the right-hand side and in CPU seconds, in layers: the paper's method and the winners at the
 # paper's error thick, the rest faint, each named under the pointer. Given: names (between semicolons) and styles (words) of the curves, first
 # (words: 1 if it stands in front), count, low (the smallest error that can be told), need (the paper's own error), and for each cost
-# (evaluations, cpu) the blocks curves_ (curve cost error least most), failures_ (curve cost) and star_ (cost error).
+# (evaluations, cpu) the blocks curves_ (curve cost error least most name), failures_ (curve cost name) and star_ (cost error).
 set terminal svg size 960, 720 font 'sans-serif,15' enhanced
 set border 3 lw 0.8
 stats $curves_evaluations using 2 name 'cost' nooutput
@@ -59,7 +59,7 @@ do for [k=1:3] {
   set arrow 10 + k from from, 0.6 * top to from * 10**0.5, 0.6 * top * 10**(-0.5 * slope) nohead lc rgb '#8a8a8a' lw 1
   set label 10 + k sprintf('%d', slope) at from * 10**0.5, 0.6 * top * 10**(-0.5 * slope) left offset 0.3, 0 tc rgb '#606060' font ',13'
 }
-unset key
+set key off noenhanced
 plot for [i=1:count] $curves_evaluations using (mine(i, $2)):3 with linespoints lc rgb tone(i) lw thick(i) pt mark[style[i]] ps size(i) dt dash[style[i]] title name_of[i], \
      for [i=1:count] $failures_evaluations using (mine(i, $2)):(0.75 * top) with points lc rgb (style[i] > 20 ? 0xa0a0a0 : 0xcc0000) pt 2 ps 0.5 lw 1 title name_of[i].' failed', \
      $star_evaluations using 1:2 with points pt 3 ps 1.6 lw 1.4 lc rgb '#a33b00' title 'pece at 0.1 ms, as in the paper'

@@ -12,6 +12,9 @@ namespace furrow::validation {
 
 inline const std::string missing = "<span class=\"missing\">missing</span>";
 
+// Digits of a whole number: "4690", and from five digits on in groups, "10,690".
+std::string in_groups(std::string digits);
+
 // Three significant digits, or fewer where they say all, as HTML.
 inline std::string shown(double value) {
   if (!std::isfinite(value)) return missing;
@@ -25,11 +28,12 @@ inline std::string shown(double value) {
     if (digits.back() == '.') digits.pop_back();
   }
   const std::string exponent = (power < 0 ? "−" : "") + std::to_string(std::abs(power));
+  if (digits.find('.') == std::string::npos) digits = in_groups(digits);
   return (value < 0 ? "−" : "") + digits + (scientific ? " × 10<sup>" + exponent + "</sup>" : "");
 }
 
 // Numbers within text as books print them: "-1" with a minus sign, "2e-06" as a power of ten, "1 ± 2 %" in one line,
-// and "0.500000", as a program writes it, without what says nothing.
+// and "0.500000", as a program writes it, without what says nothing; whole numbers as in_groups has them.
 std::string typeset(std::string html);
 
 inline std::string with_unit(double value, const std::string& unit) {

@@ -55,7 +55,7 @@
 
   // ---- tables ----
   const number = (cell) => {
-    const text = cell.textContent.replace(/−/g, "-").replace(/\s*×\s*10(-?\d+)/, "e$1").replace(/^10(-?\d+)$/, "1e$1").trim();
+    const text = cell.textContent.replace(/−/g, "-").replace(/(\d),(?=\d{3}(?!\d))/g, "$1").replace(/\s*×\s*10(-?\d+)/, "e$1").replace(/^10(-?\d+)$/, "1e$1").trim();
     const value = parseFloat(text);
     return Number.isNaN(value) ? null : value;
   };
@@ -66,8 +66,13 @@
     const order = p !== null && q !== null ? p - q : p !== null ? -1 : q !== null ? 1 : x.textContent.localeCompare(y.textContent);
     return down ? -order : order;
   };
+  // A number as programs read it, words as they are.
+  const plain = (cell) => {
+    const text = cell.textContent.trim().replace(/\s+/g, " ");
+    return /^[−-]?[\d.,]+(\s?×\s?10[−-]?\d+)?$|^10[−-]?\d+$/.test(text) && !/,(?!\d{3}(?!\d))/.test(text) ? String(number(cell)) : text;
+  };
   const csv = (table) => [table.tHead.rows[0], ...all("tbody tr:not(.group)", table)].map((row) =>
-    [...row.cells].map((cell) => '"' + cell.textContent.trim().replace(/\s+/g, " ").replace(/"/g, '""') + '"').join(",")).join("\n");
+    [...row.cells].map((cell) => '"' + plain(cell).replace(/"/g, '""') + '"').join(",")).join("\n");
   const save = (table) => {
     const link = make("a", { href: URL.createObjectURL(new Blob([csv(table)], { type: "text/csv" })), download: table.id + ".csv" });
     link.click();
@@ -179,7 +184,16 @@
     const { columns, words, rows } = JSON.parse(new TextDecoder().decode(bytes));
     return rows.map((row) => Object.fromEntries(columns.map((c, k) => [c, typeof row[k] === "string" ? words[+row[k].slice(1)] : row[k]])));
   }));
-  const digits = (x) => (typeof x !== "number" ? String(x) : x === 0 ? "0" : Math.abs(x) >= 1e-4 && Math.abs(x) < 1e6 ? String(+x.toPrecision(4)) : x.toExponential(2)).replace("-", "−");
+  // As html.h shows them.
+  const grouped = (text) => (/^−?\d{5,}$/.test(text) ? text.replace(/\d(?=(\d{3})+$)/g, "$&,") : text);
+  const digits = (x) => {
+    if (typeof x !== "number") return String(x);
+    const power = x === 0 ? 0 : Math.floor(Math.log10(Math.abs(x)) + 1e-9);
+    if (power >= -4 && power <= 6) return grouped(String(+x.toPrecision(4)).replace("-", "−"));
+    const [mantissa, exponent] = x.toExponential(2).split("e");
+    const sign = exponent[0] === "-" ? "−" : "";
+    return make("span", {}, mantissa.replace("-", "−") + " × 10", make("sup", { textContent: sign + exponent.slice(1) }));
+  };
   const check_id = (check, k) => "check_" + check.test.replace(/\W/g, "_") + "_" + k;
   const check_table = (list, name) => {
     const table = make("table", { className: "checks" });
@@ -198,7 +212,7 @@
       cell("number", digits(check.got));
       cell("number", digits(check.error));
       cell("number", digits(check.tolerance), check.kind);
-      cell("number", check.good ? digits(+(100 * check.of_limit).toPrecision(3)) + " %" : make("span", { className: "chip bad", textContent: "✗ failed" }));
+      cell("number", check.good ? make("span", {}, digits(+(100 * check.of_limit).toPrecision(3)), " %") : make("span", { className: "chip bad", textContent: "✗ failed" }));
       cell("", check.reason, check.sentence + " (" + check.requirement + ", " + check.file + ")");
       row.cells[0].append(make("a", { className: "here", href: "#" + check.id, textContent: "#", ariaLabel: "Link to this check" }));
     }

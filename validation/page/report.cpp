@@ -9,6 +9,7 @@
 #include "validation/page/film.h"
 #include "validation/page/html.h"
 #include "validation/page/judgements.h"
+#include "validation/page/names.h"
 #include "validation/page/observables.h"
 #include "validation/page/page.h"
 #include "validation/page/page_parts.h"
@@ -19,6 +20,7 @@
 #include "validation/page/summary.h"
 #include "validation/page/svg.h"
 #include "validation/page/template.h"
+#include "validation/page/terms.h"
 #include "validation/page/validity_part.h"
 #include "validation/page/verification.h"
 
@@ -33,18 +35,13 @@ double largest_force(const RunRecord& run) {
 // The runs in a table for a page in Markdown.
 std::string scene_table(const std::vector<RunRecord>& runs) {
   std::string table =
-      "| scene | steps | evaluations | CPU [s] | largest force of all steps [N] | links torn | energy residual, of the "
-      "plate's work "
-      "| state hash |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
+      "| scene | steps | evaluations | CPU [s] | largest force of all steps [N] | links torn | state hash |\n"
+      "|---|--:|--:|--:|--:|--:|---|\n";
   for (const RunRecord& run : runs) {
-    const auto last = [&](const char* column) {
-      return run.energy.rows() > 0 ? run.energy.numbers(column).back() : NAN;
-    };
-    table += "| " + run.name + (run.finished() ? "" : " (" + fact_shown(run, "ended") + ")") + " | " +
+    table += "| " + scene_words(run.name) + (run.finished() ? "" : " (" + fact_shown(run, "ended") + ")") + " | " +
              fact_shown(run, "steps") + " | " + fact_shown(run, "rhs_evaluations") + " | " +
              fact_shown(run, "cpu_seconds") + " | " + shown(largest_force(run)) + " | " +
-             std::to_string(run.torn.size()) + " | " + shown(100 * last("residual [J]") / last("plate work [J]")) +
-             " % | `" + fact_shown(run, "state_hash") + "` |\n";
+             std::to_string(run.torn.size()) + " | `" + fact_shown(run, "state_hash") + "` |\n";
   }
   return table;
 }
@@ -62,8 +59,9 @@ std::string missing_part(const Evidence& evidence) {
 std::string methods_table(Page& page) {
   std::string rows;
   for (const MethodInfo& m : method_catalogue()) {
-    rows += element("tr", "<th scope=\"row\"><code>" + escaped(m.name) + "</code></th>" +
-                              element("td", escaped(m.title)) + element("td", std::to_string(m.order), "number") +
+    rows += element("tr", "<th scope=\"row\" id=\"" + page.id(id_of_method(m.name)) + "\"><code>" + escaped(m.name) +
+                              "</code></th>" + element("td", escaped(m.title)) +
+                              element("td", std::to_string(m.order), "number") +
                               element("td", m.evaluations == 0 ? "varies" : std::to_string(m.evaluations), "number") +
                               element("td", m.controlled ? "chosen by a tolerance" : "fixed"));
   }
@@ -109,16 +107,17 @@ class PageWriter {
                heading(2, page_.id(part.title), element("span", std::to_string(number), "section") + part.title) +
                element("p", part.question, "lead") + text.html + "</section>\n";
     }
-    return filled(page_file("page.html"), {{"style", page_file("page.css") + page_file("player.css")},
-                                           {"marks", shared_marks()},
-                                           {"paper", escaped(paper_.title)},
-                                           {"contents", contents},
-                                           {"summary", first},
-                                           {"missing", missing_part(evidence_)},
-                                           {"methods", methods},
-                                           {"parts", parts},
-                                           {"films", films},
-                                           {"script", page_file("page.js") + page_file("player.js")}});
+    return filled(page_file("page.html"),
+                  {{"style", page_file("page.css") + page_file("player.css")},
+                   {"marks", shared_marks()},
+                   {"paper", escaped(paper_.title)},
+                   {"contents", contents},
+                   {"summary", first},
+                   {"missing", missing_part(evidence_)},
+                   {"methods", methods},
+                   {"parts", parts},
+                   {"films", films},
+                   {"script", page_file("page.js") + page_file("curves.js") + page_file("player.js")}});
   }
 
  private:
@@ -131,9 +130,9 @@ class PageWriter {
         const std::string here = next();
         text.contents +=
             line_of(run.name, here,
-                    "Scene " + run.name.substr(run.name.rfind('_') + 1) +
+                    capital(scene_words(run.name)) +
                         (run.finished() ? "" : ": " + element("strong", fact_shown(run, "ended"), "missing")));
-        text.html += scene_section(run, paper_, here, besides_.at(run.name), page_);
+        text.html += with_terms(scene_section(run, paper_, here, besides_.at(run.name), page_));
       }
     }
     if (part.id == "scenes" && films_.contains("tool")) {
@@ -150,19 +149,19 @@ class PageWriter {
     if (part.id == "right") {
       text.contents += line_of("verification", next(), "Checks");
       text.contents += line_of("faults", next(), "Faults put in");
-      text.html += verification_section(evidence_, number, page_);
+      text.html += with_terms(verification_section(evidence_, number, page_));
     }
     for (const StudyResult& study : studies_) {
       if (std::find(part.studies.begin(), part.studies.end(), study.name) == part.studies.end()) continue;
       const std::string here = next();
       text.contents +=
           line_of("study_" + study.name, here, typeset(escaped(study.report.at("title").get<std::string>())));
-      text.html += study_section(study, here, page_);
+      text.html += with_terms(study_section(study, here, page_));
     }
     if (part.id == "fast") {
       const std::string here = next();
       text.contents += line_of("judgements", here, "Engines judged by the same cases");
-      text.html += judgements_section(evidence_.judgements, here, page_);
+      text.html += with_terms(judgements_section(evidence_.judgements, here, page_));
     }
     if (part.id == "made")
       text.html += ages(studies_, evidence_, page_) + runs_table(runs_, records_, page_) +

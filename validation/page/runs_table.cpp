@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "validation/page/html.h"
+#include "validation/page/names.h"
 #include "validation/page/scene_section.h"
 
 namespace furrow::validation {
@@ -12,9 +14,9 @@ namespace {
 
 // In the order of the table; run.json has more: hashes of all files, the largest forces, the watches of the validity.
 constexpr std::array<std::pair<const char*, const char*>, 29> shown_facts{
-    {{"scene", "scene"},
+    {{"scene", "scene file"},
      {"method", "method"},
-     {"step", "step [s]"},
+     {"step", "step [ms]"},
      {"end", "end [s]"},
      {"seed", "seed"},
      {"discs", "discs"},
@@ -44,6 +46,8 @@ constexpr std::array<std::pair<const char*, const char*>, 29> shown_facts{
 
 std::string cell_of(const RunRecord& run, const std::string& key) {
   const std::string cell = run.fact(key) ? fact_shown(run, key) : "–";
+  if (key == "step" && run.fact(key)) return shown(1e3 * std::strtod(run.fact(key)->texts.at(0).c_str(), nullptr));
+  if (cell.find_first_not_of("0123456789") == std::string::npos) return in_groups(cell);
   return key == "scene" ? std::filesystem::path(cell).filename().string() : cell;
 }
 
@@ -52,7 +56,7 @@ std::string cell_of(const RunRecord& run, const std::string& key) {
 std::string runs_table(const std::vector<RunRecord>& runs, const std::vector<std::string>& records, Page& page) {
   if (runs.empty()) return {};
   std::string head = head_cell("fact"), rows, links;
-  for (const RunRecord& run : runs) head += head_cell(escaped(run.name));
+  for (const RunRecord& run : runs) head += head_cell(escaped(scene_words(run.name)));
   for (const auto& fact : shown_facts) {
     const std::string key = fact.first, label = fact.second;
     const auto has = [&](const RunRecord& run) { return run.fact(key) != nullptr; };

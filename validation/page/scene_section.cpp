@@ -50,7 +50,7 @@ class SceneSection {
     return filled(page_file("scene.html"),
                   {{"id", page_.id(run_.name)},
                    {"heading", heading(3, page_.id(run_.name + " scene"),
-                                       element("span", number, "section") + escaped(run_.scene.title))},
+                                       element("span", number, "section") + escaped(run_.title()))},
                    {"ending", ending(run_)},
                    {"player", beside.player},
                    {"force", force(beside.band)},
@@ -114,7 +114,7 @@ class SceneSection {
     return framed(page_,
                   {page_.id("figure " + figure_name("force")),
                    plot(drawn(input, "force.gp", page_.files, figure_name("force"),
-                              run_.scene.title + ": the force on the plate against its displacement; it is largest, " +
+                              run_.title() + ": the force on the plate against its displacement; it is largest, " +
                                   bare(largest()))),
                    "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
                    "sum is largest, " +
@@ -153,13 +153,7 @@ class SceneSection {
       const double lost = at(column, last);
       if (lost != 0) caption += " " + std::string(name) + " took " + with_unit(lost, "J") + ",";
     }
-    caption += " and " + with_unit(stored(last) - stored(0), "J") +
-               " are stored; the residual, what the ledger cannot place, is " + with_unit(residual, "J") + " (" +
-               with_unit(100 * residual / work, "%") + " of the work).";
-    if (residual > 0.01 * work)
-      caption +=
-          " The method made that energy out of nothing, since its step is too long: the stack rises above the dashed "
-          "line.";
+    caption += " and " + with_unit(stored(last) - stored(0), "J") + " are stored; " + unaccounted(residual);
     PlotInput input;
     input.set("end", travel(run_))
         .set("speed", plate_speed(run_))
@@ -167,11 +161,23 @@ class SceneSection {
         .set("start", stored(0))
         .set("energy", t.file());
     input.set("rows_apart", std::max(1.0, std::floor(static_cast<double>(t.rows()) / 400)));
-    const std::string said = "Energy against displacement: of " + bare(with_unit(work, "J")) + " of work " +
-                             bare(with_unit(residual, "J")) + " is not accounted for";
+    const std::string said =
+        "Energy against displacement: " + bare(with_unit(work, "J")) + " of work; " + bare(unaccounted(residual));
     return framed(page_, {page_.id("figure " + figure_name("energy")),
                           plot(drawn(input, "energy.gp", page_.files, figure_name("energy"), said)), caption,
                           figure_name("energy"), "<a href=\"" + run_.name + "/energy.csv\">data (CSV)</a>"});
+  }
+
+  // In J and, as everywhere on the page, of all the energy that the scene was given.
+  std::string unaccounted(double residual) const {
+    std::string words = "the residual, what the ledger cannot place, is " + with_unit(residual, "J");
+    const WatchedFact* made = run_.watch("energy_made");
+    if (made == nullptr) return words + ".";
+    words += ": the method or a law made " + with_unit(100 * made->worst, "%") +
+             " of all the energy that the scene was given";
+    if (made->worst > made->warns_above)
+      words += ", out of nothing, since the step is too long: the stack rises above the dashed line";
+    return words + ".";
   }
 
   std::string statements() const {
@@ -195,7 +201,7 @@ class SceneSection {
                                 element("td", got, ours.words.empty() ? "number" : "words") +
                                 element("td", difference_cell, "number"));
     }
-    return framed({page_.id("table " + run_.name + " beside the paper"), "", run_.scene.title + ", beside the paper",
+    return framed({page_.id("table " + run_.name + " beside the paper"), "", run_.title() + ", beside the paper",
                    "statements",
                    head_cell("Quantity") + head_cell("Paper") + head_cell("furrow") + head_cell("Difference"), rows});
   }
@@ -221,7 +227,7 @@ class SceneSection {
     }
     return framed({page_.id("table " + run_.name + " torn links"),
                    "Torn links by kind, and the displacement of the plate at the first and the last.",
-                   run_.scene.title + ", torn links", "study",
+                   run_.title() + ", torn links", "study",
                    head_cell("Kind") + head_cell("Links", true) + head_cell("Torn", true) +
                        head_cell("Of them to a fixed node", true) + head_cell("First", true) + head_cell("Last", true),
                    rows});

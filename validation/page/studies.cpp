@@ -33,7 +33,7 @@ std::string breakable(const std::string& words) {
 std::string cell(const ordered_json& value, bool in_numbers) {
   if (value.is_number()) return element("td", shown(value.get<double>()), "number");
   if (!value.is_string()) return element("td", missing, in_numbers ? "number" : "");
-  const std::string words = value.get<std::string>(), chip = chip_or_words(words);
+  const std::string said = value.get<std::string>(), words = said == "-" ? "–" : said, chip = chip_or_words(words);
   if (chip[0] == '<') return element("td", chip);
   return element("td", breakable(words), in_numbers && words.find(' ') == std::string::npos ? "number" : "");
 }

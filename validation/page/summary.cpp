@@ -10,17 +10,13 @@
 #include "validation/page/judgements.h"
 #include "validation/page/kept_files.h"
 #include "validation/page/mutants.h"
+#include "validation/page/names.h"
 #include "validation/page/page_parts.h"
 
 namespace furrow::validation {
 namespace {
 
-// "2,716"
-std::string grouped(std::size_t n) {
-  std::string digits = std::to_string(n);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
-  return digits;
-}
+std::string grouped(std::size_t n) { return in_groups(std::to_string(n)); }
 
 // Of the page's own: those that hold, of how many.
 std::string claims_in_short(const std::vector<StudyResult>& studies) {
@@ -114,12 +110,13 @@ std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& s
   return element("ul", html, "tiles");
 }
 
-std::string finding(const std::vector<StudyResult>& studies, Page& page) {
+std::string finding(const std::vector<RunRecord>& runs, const std::vector<StudyResult>& studies, Page& page) {
   for (const StudyResult& study : studies) {
     for (const Json& headline : study.report.at("headlines")) {
       if (headline.at("tile") != "finding") continue;
       const std::string words = element("p", typeset(escaped(headline.at("value").get<std::string>()))) +
-                                element("p", typeset(escaped(headline.at("text").get<std::string>())));
+                                element("p", typeset(escaped(headline.at("text").get<std::string>()))) +
+                                beyond_hertz(runs);
       const std::string drawing = study.report.contains("first_figure") ? first_figure(study, page) : "";
       return "<section id=\"summary_finding\" class=\"finding\"><div><h2>The finding</h2>" + words +
              "<p><a href=\"#part_finding\">All its numbers</a></p></div>" + drawing + "</section>\n";
@@ -177,10 +174,25 @@ std::string row_of(const std::string& id, const std::string& title, std::size_t 
 
 }  // namespace
 
+std::string beyond_hertz(const std::vector<RunRecord>& runs) {
+  std::string overlaps, scenes;
+  double small = 0;
+  for (const RunRecord& run : runs) {
+    const WatchedFact* overlap = run.watch("overlap");
+    if (overlap == nullptr || overlap->worst <= overlap->warns_above) continue;
+    small = overlap->warns_above;
+    overlaps += (overlaps.empty() ? "" : ", ") + shown(overlap->worst) + " R";
+    scenes += (scenes.empty() ? "" : ", ") + scene_words(run.name);
+  }
+  if (overlaps.empty()) return {};
+  return element("p", "Either way bodies overlap by up to " + overlaps + " (" + scenes +
+                          "); Hertz's law is for small overlaps, here up to " + shown(small) + " R.");
+}
+
 std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence,
                     const std::vector<StudyResult>& studies, Page& page) {
   return made_line(evidence) + "<h1>A plate through soil and stem: what of it can be trusted</h1>\n" +
-         verdict_line(evidence, runs, studies) + finding(studies, page) + tiles_of(evidence, studies) +
+         verdict_line(evidence, runs, studies) + finding(runs, studies, page) + tiles_of(evidence, studies) +
          failing(studies);
 }
 

@@ -140,6 +140,12 @@ class Compactor {
     count_ = 0;
   }
 
+  // "0.40" as ".4"; empty: none.
+  static std::string faintness(const SvgNode& node) {
+    const std::string value = node.attribute("opacity");
+    return value.empty() ? value : short_number(std::strtod(value.c_str(), nullptr), 2);
+  }
+
   std::string painted(const SvgNode& node, const Style& style) const {
     const std::string fill = paint_of(node, style, "fill", "none");
     std::string stroke = paint_of(node, style, "stroke", "none");
@@ -153,10 +159,11 @@ class Compactor {
       text += " stroke=\"" + stroke + "\"";
       if (width != 1) text += " stroke-width=\"" + short_number(width, 2) + "\"";
     }
-    for (const char* key : {"stroke-dasharray", "fill-opacity", "stroke-opacity", "filter"}) {
+    for (const char* key : {"stroke-dasharray", "fill-opacity", "stroke-opacity", "opacity", "filter"}) {
       std::string value = node.attribute(key);
       if (value.empty() && std::string(key) == "fill-opacity") value = value_or(style, key, "");
       if (value.find_first_of("#") != std::string::npos) value = own_ids(value);
+      if (std::string(key) == "opacity") value = faintness(node);
       if (!value.empty() && value != "1") text += std::string(" ") + key + "=\"" + value + "\"";
     }
     return text;
@@ -182,17 +189,20 @@ class Compactor {
 
   void mark(const SvgNode& node, const Style& style) {
     const std::string shape = node.attribute("xlink:href"), transform = node.attribute("transform");
-    const std::string colour = paint_of(node, style, "color", "black");
+    const std::string colour = paint_of(node, style, "color", "black"), faint = faintness(node);
+    const std::string opacity = faint.empty() || faint == "1" ? "" : " opacity=\"" + faint + "\"";
     const Place place = place_of(transform);
-    if (place.known && shape == "#gpPt6") return disc(place, colour);
+    if (place.known && shape == "#gpPt6") return disc(place, colour, opacity);
     release();
-    if (place.known && shape == "#gpPt4") return dot(place, colour, "square");
-    add(" color=\"" + colour + "\"", "<use href=\"" + shape + "\" transform=\"" + short_numbers(transform, 2) + "\"/>");
+    if (place.known && shape == "#gpPt4") return dot(place, colour, opacity, "square");
+    add(" color=\"" + colour + "\"" + opacity,
+        "<use href=\"" + shape + "\" transform=\"" + short_numbers(transform, 2) + "\"/>");
   }
 
   // A disc on a larger one at the same place is one circle with a rim, so each waits for the next.
-  void disc(const Place& place, const std::string& colour) {
-    if (held_.known && held_.x == place.x && held_.y == place.y && held_.scale > place.scale) {
+  void disc(const Place& place, const std::string& colour, const std::string& opacity) {
+    if (held_.known && held_.x == place.x && held_.y == place.y && held_.scale > place.scale && opacity.empty() &&
+        held_opacity_.empty()) {
       add(" stroke=\"" + held_colour_ + "\" stroke-width=\"" + short_number(held_.scale - place.scale, 2) + "\"",
           "<circle cx=\"" + short_number(place.x) + "\" cy=\"" + short_number(place.y) + "\" r=\"" +
               short_number((held_.scale + place.scale) / 2) + "\" fill=\"" + colour + "\"/>");
@@ -200,17 +210,17 @@ class Compactor {
       return;
     }
     release();
-    held_ = place, held_colour_ = colour;
+    held_ = place, held_colour_ = colour, held_opacity_ = opacity;
   }
 
   void release() {
-    if (std::exchange(held_.known, false)) dot(held_, held_colour_, "round");
+    if (std::exchange(held_.known, false)) dot(held_, held_colour_, held_opacity_, "round");
   }
 
   // The end of a line without a length.
-  void dot(const Place& place, const std::string& colour, const std::string& cap) {
-    add_line(" stroke=\"" + colour + "\" stroke-width=\"" + short_number(2 * place.scale, 2) + "\" stroke-linecap=\"" +
-                 cap + "\"",
+  void dot(const Place& place, const std::string& colour, const std::string& opacity, const std::string& cap) {
+    add_line(" stroke=\"" + colour + "\"" + opacity + " stroke-width=\"" + short_number(2 * place.scale, 2) +
+                 "\" stroke-linecap=\"" + cap + "\"",
              "M" + short_number(place.x) + (place.y < 0 ? "" : " ") + short_number(place.y) + "h0");
   }
 
@@ -270,7 +280,7 @@ class Compactor {
     return text;
   }
 
-  std::string name_, out_, pending_, style_, held_colour_;
+  std::string name_, out_, pending_, style_, held_colour_, held_opacity_;
   Place held_;
   bool line_ = false;
   int count_ = 0;

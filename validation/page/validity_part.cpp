@@ -6,6 +6,7 @@
 
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -27,12 +28,17 @@ std::string in_words(const std::string& name) {
   return found == words.end() ? escaped(name) : found->second;
 }
 
+// What is a share of all the energy that the scene was given stands in percent, as everywhere on the page.
+std::string amount(const WatchedFact& w, double value) {
+  return w.name.starts_with("energy_") ? with_unit(100 * value, "%") : shown(value);
+}
+
 // Infinity stands for no limit.
-std::string limit(double value) { return std::isinf(value) ? "–" : shown(value); }
+std::string limit(const WatchedFact& w, double value) { return std::isinf(value) ? "–" : amount(w, value); }
 
 std::string allowance(const WatchedFact& w) {
   if (!w.allowed) return "–";
-  return std::isinf(*w.allowed) ? "any" : shown(*w.allowed);
+  return std::isinf(*w.allowed) ? "any" : amount(w, *w.allowed);
 }
 
 std::string at_the_worst(const WatchedFact& w) {
@@ -44,7 +50,7 @@ std::string row_of(const WatchedFact& w) {
   if (std::isnan(w.time))
     return element("tr", element("td", in_words(w.name)) + element("td", chip_or_words(w.verdict)));
   std::string cells = element("td", in_words(w.name)) + element("td", chip_or_words(w.verdict));
-  for (const std::string& cell : {shown(w.worst), limit(w.warns_above), limit(w.ends_above), allowance(w)})
+  for (const std::string& cell : {amount(w, w.worst), limit(w, w.warns_above), limit(w, w.ends_above), allowance(w)})
     cells += element("td", cell, "number");
   return element("tr", cells + element("td", at_the_worst(w)));
 }
@@ -57,9 +63,8 @@ std::string sentence(const std::string& verdict) {
 }
 
 double worst_of(const RunRecord& run, const std::string& name) {
-  const auto found =
-      std::find_if(run.watched.begin(), run.watched.end(), [&](const WatchedFact& w) { return w.name == name; });
-  return found == run.watched.end() ? std::nan("") : found->worst;
+  const WatchedFact* watch = run.watch(name);
+  return watch ? watch->worst : std::nan("");
 }
 
 // What becomes of a disc that is pressed into a plate.
@@ -78,7 +83,7 @@ std::string validity_part(const RunRecord& run, Page& page) {
   for (const WatchedFact& w : run.watched) rows += row_of(w);
   return framed({page.id(run.name + " validity"),
                  "What this run does to the validity of its laws. " + sentence(run.validity) + faces(run),
-                 escaped(run.name), "study",
+                 escaped(capital(scene_words(run.name))) + ", validity", "study",
                  head_cell("Watched") + head_cell("Verdict") + head_cell("Measured", true) +
                      head_cell("Warns above", true) + head_cell("Ends the run above", true) +
                      head_cell("The scene allows", true) + head_cell("At the worst"),
@@ -88,12 +93,13 @@ std::string validity_part(const RunRecord& run, Page& page) {
 std::string validity_table(const std::vector<RunRecord>& runs) {
   std::string table =
       "| scene | centres through the plate | through a lattice's border | behind a wall | greatest overlap, of R | "
-      "energy "
-      "made, of what was given | step, of the largest stable one | verdict |\n|---|--:|--:|--:|--:|--:|--:|---|\n";
+      "energy made, of what was given | step, of the largest stable one | verdict "
+      "|\n|---|--:|--:|--:|--:|--:|--:|---|\n";
   for (const RunRecord& run : runs) {
-    table += "| " + run.name;
+    table += "| " + scene_words(run.name);
     for (const char* name : {"through_plates", "through_lattices", "behind_walls", "overlap", "energy_made", "step"})
-      table += " | " + shown(worst_of(run, name));
+      table += " | " + (name == std::string("energy_made") ? with_unit(100 * worst_of(run, name), "%")
+                                                           : shown(worst_of(run, name)));
     table += " | " + (run.validity.empty() ? missing : run.validity) + " |\n";
   }
   return table;

@@ -8,6 +8,7 @@
 
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/convergence_settled.h"
+#include "validation/page/chapters/in_words.h"
 #include "validation/studies/few_members.h"
 #include "validation/studies/kept_ensemble.h"
 #include "validation/studies/observed_run.h"
@@ -35,16 +36,19 @@ std::vector<std::string> observables_of(const std::string& scene) {
   return ids;
 }
 
+double without_round_off(double deviation, double median) {
+  return deviation < 1e-12 * std::fabs(median) ? 0 : deviation;
+}
+
 void add_distributions(Report& report, const std::string& group, const std::vector<Json>& members) {
   std::vector<std::vector<Json>> rows;
   for (const std::string& id : observables_of(group.substr(0, group.find(' ')))) {
     const Sample sample = sample_of(id, members);
     if (sample.numbers.size() < 6) continue;
     const auto [low, high] = sample.median_interval();
-    rows.push_back({quantity_of(id), static_cast<int>(sample.numbers.size()), sample.quantile(0.5),
-                    three_digits(low) + " to " + three_digits(high),
-                    three_digits(sample.quantile(0.05)) + " to " + three_digits(sample.quantile(0.95)),
-                    sample.deviation()});
+    rows.push_back({quantity_of(id), static_cast<int>(sample.numbers.size()), sample.quantile(0.5), from_to(low, high),
+                    from_to(sample.quantile(0.05), sample.quantile(0.95)),
+                    without_round_off(sample.deviation(), sample.quantile(0.5))});
   }
   if (rows.empty()) return;
   report.heading("Scene " + group.substr(9, 1) + "," + group.substr(10) + "s, " + std::to_string(members.size()) +

@@ -124,9 +124,9 @@ Report geometry(const Shelf& shelf) {
   const Search search = search_in(shelf.of("geometry"));
   const std::vector<Tried>& tried = search.tried;
   Report report(
-      "What geometry was the first scene?",
+      "What geometry was scene 1?",
       "The paper gives neither the spacing of its lattice, nor the height of the plate, nor the radius in the "
-      "contact of node and plate. Which setting comes closest to what it reports of its first scene?");
+      "contact of node and plate. Which setting comes closest to what it reports of its first scene, scene 1?");
   const auto failed = std::count_if(tried.begin(), tried.end(), [](const Tried& t) { return t.failed(); });
   report.text(
       std::to_string(tried.size()) + " settings were tried, " + std::to_string(failed) +
@@ -137,8 +137,7 @@ Report geometry(const Shelf& shelf) {
   add_figure(report, search);
   const auto met = std::count_if(tried.begin(), tried.end(), meets_all);
   report.claim(
-      {.text =
-           "No setting tried meets all of the paper's numbers for the first scene within a tenth of a force and 2 mm.",
+      {.text = "No setting tried meets all of the paper's numbers for scene 1 within a tenth of a force and 2 mm.",
        .value = std::to_string(met) + " of " + std::to_string(tried.size()) + " settings",
        .aim = "none",
        .holds = met == 0});

@@ -9,7 +9,7 @@
 #include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/failures.h"
-#include "validation/page/chapters/names.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -56,14 +56,15 @@ Values tolerances(const Numbers& numbers, const Subject& subject) {
 
 std::string percent(double value) {
   if (std::isnan(value)) return "–";
-  if (value == 0) return "0";
+  if (std::fabs(value) < 1e-12) return "0";  // but for round-off
   const double size = std::fabs(value), percent = 100 * value;
   return (size < 1e-4 ? rounded(percent, 1) : fixed(percent, size < 0.1 ? 2 : 0)) + " %";
 }
 
-std::string amount(int observable, double value) {
+// with_sign: a plus before what is more.
+std::string amount(int observable, double value, bool with_sign = true) {
   if (observable != torn || std::isnan(value) || value == 0) return percent(value);
-  return (value > 0 ? "+" : "") + rounded(value, 3);
+  return (with_sign && value > 0 ? "+" : "") + rounded(value, 3);
 }
 
 // Forces only where there is a plate, torn links where there is a lattice.
@@ -108,7 +109,7 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
     const double doubt = m.spread / std::sqrt(static_cast<double>(effects[o].size()));
     if (is_shown(subject, o))
       v.row.emplace_back(amount(static_cast<int>(o), m.mean) +
-                         (doubt > 0 ? " ± " + amount(static_cast<int>(o), doubt) : ""));
+                         (doubt > 0 ? " ± " + amount(static_cast<int>(o), doubt, false) : ""));
     if (std::isnan(tolerance[o]) || std::isnan(m.mean) || !is_shown(subject, o)) continue;
     ++compared;
     if (std::fabs(m.mean) > tolerance[o]) which += (which.empty() ? "" : ", ") + std::string(observables[o]);
@@ -123,7 +124,7 @@ Verdict verdict_on(const Numbers& numbers, const Subject& subject, const Term& t
 }
 
 void add_subject(Report& report, const Numbers& numbers, const Subject& subject) {
-  report.heading(scene_words(subject.name));
+  report.heading(capital(scene_words(subject.name)));
   std::vector<std::string> head{"without", "verdict"};
   std::vector<Json> limit{"tolerance", ""};
   const Values tolerance = tolerances(numbers, subject);

@@ -71,6 +71,9 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
   return figure;
 }
 
+// What a problem's unit of time is.
+bool in_contact_times(const Problem& p) { return p.touch > 0 || p.rebounds || p.name == "sticking"; }
+
 Figure slopes_figure(const Observations& all) {
   Json points = Json::array(), theory = Json::array(), panels = Json::array(), labels = Json::array();
   double panel = 0;
@@ -102,8 +105,8 @@ Figure slopes_figure(const Observations& all) {
       labelled.push_back(slope);
       labels.push_back({panel, series.back().step / p.unit, at(series.back()), shown_order(slope)});
     }
-    panels.push_back(
-        {panel, std::pow(10, std::floor(std::log10(least))), std::pow(10, std::ceil(std::log10(most))), p.title});
+    panels.push_back({panel, std::pow(10, std::floor(std::log10(least))), std::pow(10, std::ceil(std::log10(most))),
+                      in_contact_times(p) ? 1 : 0, p.title});
     ++panel;
   }
   Json names = Json::array();
@@ -113,10 +116,14 @@ Figure slopes_figure(const Observations& all) {
   const auto order = [&](const char* method, const char* p) {
     return fixed(all.verdicts.at({method, p}).position.value, 2);
   };
-  Figure figure{"order_slopes", "order_slopes.gp", {}, "error against step size, a panel for each kind of force"};
+  Figure figure{"order_slopes",
+                "order_slopes.gp",
+                {},
+                "error of the position against the step, a panel for each kind of force: the slopes are the orders"};
   figure.caption =
-      "Error of the position against the step, in units of the contact's duration or 1/omega; grey: the "
-      "predicted slope, with its number. On a smooth force rk4 has order " +
+      "Error of the position, over the problem's length, against the step, over how long the contact lasts, T, or "
+      "times "
+      "the frequency of the spring, ω; grey: the predicted slope, with its number. On a smooth force rk4 has order " +
       order("rk4", "lattice") + ", through a Hertz contact " + order("rk4", "hertz") + ", through a damped one " +
       order("rk4", "damped_hertz") + " like pece with " + order("pece", "damped_hertz") + ".";
   figure.variables = {{"panels", panel}, {"curves", curves.size()}};

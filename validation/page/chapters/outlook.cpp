@@ -47,7 +47,7 @@ Report outlook(const Shelf& shelf) {
   const int members = outlook_packings(numbers.quick());
   Report report("Speed of the plate, size of the particles",
                 "The paper leaves the effect of speed and of sizes of particles to later, and its parameters to "
-                "calibration. What do they do to the force in its second scene, and what does a tool that bends?");
+                "calibration. What do they do to the force in scene 2, and what does a tool that bends?");
   Json blocks = Json::object();
   std::size_t runs = 0, failed = 0;
   std::string why;

@@ -52,8 +52,8 @@ void add_sensitivity(Report& report, const Numbers& numbers) {
   std::vector<std::vector<Json>> rows;
   for (const OutlookVariation& v : outlook_variations()) {
     if (!measured(numbers, v) || v.values.front() <= 0) continue;
-    std::vector<Json> row{v.what,
-                          three_digits(v.values.front()) + " to " + three_digits(v.values.back()) + " " + v.unit};
+    std::vector<Json> row{v.what, three_digits(v.values.front()) + " to " + three_digits(v.values.back()) +
+                                      (v.unit == "-" ? "" : " " + v.unit)};
     for (const auto& [id, title] : asked) {
       std::vector<Json> exponents;
       for (int packing = 0; packing < outlook_packings(numbers.quick()); ++packing) {
@@ -85,9 +85,11 @@ void add_tools(Report& report, const Numbers& numbers) {
                     Estimate("largest_force", runs).text(), Estimate("fluctuation", runs).text(),
                     Estimate("torn", runs).text()});
   }
-  report.table("Scene deformable_tool and a plate of its size in its place, in the same beds, after 0.4 s; " +
-                   std::to_string(tool_packings(numbers.quick())) + " packings, mean and half its 95 % interval.",
-               {"tool", "mean force [N]", "largest force [N]", "deviation over mean", "links torn"}, rows);
+  report.table(
+      "The scene deformable_tool, a lattice as a tool, and a plate of its size in its place, in the same beds, after "
+      "0.4 s; " +
+          std::to_string(tool_packings(numbers.quick())) + " packings, mean and half its 95 % interval.",
+      {"tool", "mean force [N]", "largest force [N]", "deviation over mean", "links torn"}, rows);
 }
 
 }  // namespace furrow::validation

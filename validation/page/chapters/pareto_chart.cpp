@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/work_precision_found.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -34,31 +34,83 @@ std::vector<Reached> front_of(const Found& f) {
   return all;
 }
 
+// Panels of pareto.gp, in its pixels.
+constexpr double wide = 350, high = 175, letter = 6.1, line = 13;
+
+// What a panel shows, in logarithms of ten: from the cheapest and least error on, with room for names above and behind.
+struct Panel {
+  double left, right, low, top;
+  double x(double cost) const { return wide * (std::log10(cost) - left) / (right - left); }
+  double y(double error) const { return high * (std::log10(error) - low) / (top - low); }
+  double cost(double x_px) const { return std::pow(10, left + x_px * (right - left) / wide); }
+  double error(double y_px) const { return std::pow(10, low + y_px * (top - low) / high); }
+};
+
+Panel panel_of(const std::vector<Reached>& front, const WorkPrecisionPoint* paper, double papers_error) {
+  Panel p{infinity, -infinity, infinity, -infinity};
+  const auto take = [&](double cost, double error) {
+    p.left = std::min(p.left, std::log10(cost)), p.right = std::max(p.right, std::log10(cost));
+    p.low = std::min(p.low, std::log10(error)), p.top = std::max(p.top, std::log10(error));
+  };
+  for (const Reached& r : front) take(r.cpu, r.error);
+  if (paper) take(paper->cpu, papers_error);
+  return {p.left - 0.1, p.right + 0.6 * (p.right - p.left) + 0.1, p.low - 0.2, p.top + 0.35 * (p.top - p.low) + 0.3};
+}
+
+// Each method by name once, at its first point of the front: point and place of the name, which meets no other.
+Json names_on(const std::vector<Reached>& front, const Panel& panel, std::size_t k) {
+  struct Box {
+    double left, right, low, top;
+  };
+  std::vector<Box> taken;
+  std::vector<std::string> named;
+  Json rows = Json::array();
+  for (const Reached& r : front) {
+    if (std::find(named.begin(), named.end(), r.method) != named.end()) continue;
+    named.push_back(r.method);
+    const double x = panel.x(r.cpu) + 7;
+    double y = panel.y(r.error) + 9;
+    const auto meets = [&](const Box& b) {
+      return x < b.right && b.left < x + letter * static_cast<double>(r.method.size()) && y - line / 2 < b.top &&
+             b.low < y + line / 2;
+    };
+    while (std::any_of(taken.begin(), taken.end(), meets)) y += 2;
+    taken.push_back({x, x + letter * static_cast<double>(r.method.size()), y - line / 2, y + line / 2});
+    rows.push_back({k, r.cpu, r.error, panel.cost(x), panel.error(y), r.method});
+  }
+  return rows;
+}
+
 }  // namespace
 
 void add_summary(Report& report, const std::vector<Found>& all) {
-  Json fronts = Json::array(), stars = Json::array(), names = Json::array();
+  Json fronts = Json::array(), stars = Json::array(), names = Json::array(), panels = Json::array();
   std::string said;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const std::vector<Reached> front = front_of(all[k]);
+    const WorkPrecisionPoint* paper = paper_point(all[k]);
+    const double error = paper ? std::max(paper->error_by(all[k].info.by_force), floor_of(all[k])) : NAN;
+    const Panel panel = panel_of(front, paper, error);
+    const std::string title = scene_words(all[k].info.name);
+    panels.push_back({k, std::pow(10, panel.left), std::pow(10, panel.right), std::pow(10, panel.low),
+                      std::pow(10, panel.top), title});
     for (const Reached& r : front) fronts.push_back({k, r.cpu, r.error, r.method});
-    if (const WorkPrecisionPoint* paper = paper_point(all[k])) {
-      const double error = std::max(paper->error_by(all[k].info.by_force), floor_of(all[k]));
-      stars.push_back({k, paper->cpu, error});
-    }
-    if (!front.empty()) names.push_back({k, front.back().cpu, front.back().error, scene_words(all[k].info.name)});
-    said += (said.empty() ? "" : ", ") + scene_words(all[k].info.name);
+    for (const Json& row : names_on(front, panel, k)) names.push_back(row);
+    if (paper) stars.push_back({k, paper->cpu, error});
+    said += (said.empty() ? "" : ", ") + title;
   }
   report.heading("All problems in one figure");
   report.figure(
       {.name = "work_precision_summary",
        .script = "pareto.gp",
-       .caption = "The least error that any method reaches in a CPU time, one line a problem, each point another "
-                  "setting; stars: the "
-                  "paper's method with its step. A star far above its line is what a better method would save.",
-       .description = "Least error against CPU time for " + said + ", with the paper's setting above each line",
+       .caption = "The Pareto front of each problem: the least error that any method reaches in a CPU time, each point "
+                  "another setting; each method is named where it first stands on the front. Star: the paper's method "
+                  "with its step. How far it stands to the right of the front is what a better method would save.",
+       .description = "Least error against CPU time for " + said +
+                      ", with the paper's setting to the right of each "
+                      "front",
        .variables = {{"count", all.size()}},
-       .blocks = {{"fronts", fronts}, {"stars", stars}, {"names", names}}});
+       .blocks = {{"fronts", fronts}, {"stars", stars}, {"names", names}, {"panels", panels}}});
 }
 
 }  // namespace furrow::validation

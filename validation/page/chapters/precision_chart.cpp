@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "validation/page/names.h"
+
 namespace furrow::validation {
 namespace {
 
@@ -134,8 +136,8 @@ Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurv
   Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
   figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
                    " against evaluations and CPU time. Least for the paper's own error: " + joined(winners) + ".";
-  figure.description =
-      info.title + ": error against cost; the paper's error is reached for least by " + joined(winners);
+  figure.description = scene_words(info.name) + ", " + info.title +
+                       ": error against cost; the paper's error is reached for least by " + joined(winners);
   std::string names, styles, first;
   int count = 0;
   for (const char* name : cost_names) {
@@ -152,9 +154,9 @@ Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurv
     for (std::size_t k = 0; k < costs.size(); ++k) {
       for (const Mark& m : curve.marks[k])
         figure.blocks["curves_" + std::string(cost_names[k])].push_back(
-            {count, digits(m.cost), digits(std::max(m.error, floor)), digits(m.least), digits(m.most)});
+            {count, digits(m.cost), digits(std::max(m.error, floor)), digits(m.least), digits(m.most), key.second});
       for (const double cost : curve.failures[k])
-        figure.blocks["failures_" + std::string(cost_names[k])].push_back({count, digits(cost)});
+        figure.blocks["failures_" + std::string(cost_names[k])].push_back({count, digits(cost), key.second});
     }
   }
   if (paper) {

@@ -4,8 +4,8 @@
 
 #include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
-#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/readings_parts.h"
+#include "validation/page/names.h"
 #include "validation/studies/reading_search.h"
 
 namespace furrow::validation {
@@ -59,8 +59,8 @@ void add_finalists(Report& report, const ReadingsFound& found) {
   report.heading("The best readings, judged by packings that did not choose them");
   report.table("The literal reading, the best of all and the best valid ones. Mean misfit over " +
                    std::to_string(the_readings().packings) + " packings; the finer step is " +
-                   rounded(the_readings().fine_step, 3) +
-                   " s. Valid runs: those that furrow run brings to their end, at the paper's step. Counts are of "
+                   rounded(1e3 * the_readings().fine_step, 3) +
+                   " ms. Valid runs: those that furrow run brings to their end, at the paper's step. Counts are of "
                    "sentences.",
                head, rows);
 }

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "scene/wording.h"
-#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/readings_parts.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {

@@ -6,6 +6,7 @@
 #include "output/files.h"
 #include "scene/read.h"
 #include "scene/wording.h"
+#include "validation/page/chapters/in_words.h"
 #include "validation/page/chapters/readings_rows.h"
 #include "validation/studies/observed_run.h"
 
@@ -140,6 +141,7 @@ std::string said_in(const Json& said, const std::string& id) {
 std::string said_of(const Finalist& finalist, const ReadingsFound& found, const std::string& id) {
   const Statement& row = row_named(id);
   const Sample sample = sample_of(id, runs_of(row, finalist, found, AtStep::papers));
+  if (is_yes_or_no(row)) return count_of_yes(sample) + " " + what_runs_do(row);
   if (sample.numbers.empty()) return sample.words.empty() ? "–" : sample.words.front();
   return three_digits(sample.quantile(0.5)) + (row.unit.empty() ? "" : " " + row.unit);
 }

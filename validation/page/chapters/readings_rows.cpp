@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/files.h"
+#include "validation/page/chapters/in_words.h"
 
 namespace furrow::validation {
 namespace {
@@ -59,7 +60,12 @@ std::vector<Json> runs_of(const Statement& row, const Finalist& finalist, const 
   return is_judged_only(row) ? as_another_says(row, runs->second) : runs->second;
 }
 
+std::string what_runs_do(const Statement& row) {
+  return row.scene == "untorn" ? "runs end where the laws hold no longer" : "packings come to their end";
+}
+
 std::string rule_of(const Statement& row) {
+  if (is_yes_or_no(row)) return "half of the " + what_runs_do(row);
   const std::string unit = row.unit.empty() ? "" : " " + row.unit;
   if (row.holds) {
     const auto [low, high] = *row.holds;

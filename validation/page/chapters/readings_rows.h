@@ -15,6 +15,9 @@ enum class AtStep { papers, finer };
 // the paper's step alone. None where the search did not look at the scene.
 std::vector<Json> runs_of(const Statement& row, const Finalist& finalist, const ReadingsFound& found, AtStep step);
 
+// Of a row that is yes or no, what it asks of the runs: "packings come to their end".
+std::string what_runs_do(const Statement& row);
+
 // "half of the packings in 2 to 10", "the median within a tenth of 238 N", "half of the packings say row 2".
 std::string rule_of(const Statement& row);
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 
 #include "scene/wording.h"
 #include "validation/page/chapters/readings_parts.h"
 #include "validation/page/chapters/readings_rows.h"
+#include "validation/page/names.h"
 #include "validation/studies/reading_runs.h"
 
 namespace furrow::validation {
@@ -24,7 +26,7 @@ std::string lost(const ReadPoint& by, const ReadPoint& winner, const std::vector
       ++more;
       continue;
     }
-    words += (words.empty() ? "" : "; ") + row.quantity + " (" + row.scene.substr(9) +
+    words += (words.empty() ? "" : "; ") + row.quantity + " (" + scene_words(row.scene) +
              "): " + said_in(by.said.at(row.scene), row.id) + " for " + wanted_of(row);
   }
   return words.empty() ? "nothing" : words + (more > 0 ? "; " + std::to_string(more) + " more" : "");
@@ -110,7 +112,7 @@ void add_untorn(Report& report, const ReadingsFound& found) {
     const Json& gave = found.untorn[k];
     const bool valid = gave.value("valid", false);
     if (run.strength > 1e6) untorn += 1, unstable += valid ? 0 : 1;
-    rows.push_back({run.strength > 1e6 ? Json("never tears") : Json(run.strength), run.step,
+    rows.push_back({run.strength > 1e6 ? Json("never tears") : Json(run.strength), std::round(1e7 * run.step) / 1e4,
                     valid ? "valid" : "invalid", Json(gave.contains("failed") ? gave["failed"] : gave["reason"]),
                     gave.value("reached", Json()), gave.value("torn", Json())});
   }
@@ -120,7 +122,7 @@ void add_untorn(Report& report, const ReadingsFound& found) {
       "Links that never tear: " +
       std::to_string(unstable) + " of " + std::to_string(untorn) + " steps end where the laws hold no longer.");
   report.table("Scene 1 with other strengths, watched as furrow run does it.",
-               {"strength [N]", "step [s]", "validity", "why", "reached [mm]", "links torn"}, rows);
+               {"strength [N]", "step [ms]", "validity", "why", "reached [mm]", "links torn"}, rows);
 }
 
 }  // namespace furrow::validation

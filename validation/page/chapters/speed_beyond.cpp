@@ -87,9 +87,9 @@ void add_beyond(Report& report, const Numbers& numbers) {
       "furrow's rk4 at the smaller step. Without friction both have the same law, so the error must fall as the "
       "step: order 1. With friction the laws differ after a slip, and the error stays.");
   report.table("Error of the force over its greatest value",
-               {"discs", "friction", "on", "greatest [N]", "error at 1e-4 s", "error at 1e-5 s", "order"}, parts);
+               {"discs", "friction", "on", "greatest [N]", "error at 0.1 ms", "error at 0.01 ms", "order"}, parts);
   report.claim(
-      {.text = "Without friction: the least order, and the greatest error at 1e-5 s, of an exported bed's forces.",
+      {.text = "Without friction: the least order, and the greatest error at 0.01 ms, of an exported bed's forces.",
        .value = rounded(worst.order, 3) + ", " + rounded(worst.error, 2),
        .aim = "at least " + rounded(aim_of_order, 1) + ", below " + rounded(aim_of_error, 1),
        .holds = worst.order >= aim_of_order && worst.error < aim_of_error});

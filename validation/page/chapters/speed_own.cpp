@@ -67,7 +67,7 @@ void add_profile(Report& report, const Numbers& numbers) {
       "). Instructions are not time: a division weighs as much as a sum. What the C library does is counted where it "
       "was called. A step evaluates the contacts twice, once of them within the jump map, whose rates the next step "
       "takes over; both stand under pairs, law and sums. A disc and evaluation takes " +
-      a_disc(1) + " instructions in the second scene, " + a_disc(2) + " in the third.");
+      a_disc(1) + " instructions in scene 2, " + a_disc(2) + " in scene 3.");
   report.figure({.name = "speed_profile",
                  .script = "speed_profile.gp",
                  .caption = "Share of a step's instructions by part of the solver.",
@@ -147,7 +147,7 @@ void add_scale(Report& report, const Numbers& numbers) {
   if (times.empty()) return;
   report.heading("How many discs");
   report.text(
-      "The bed of the second scene, settled and put side by side, with friction and rolling, without the energy "
+      "The bed of scene 2, settled and put side by side, with friction and rolling, without the energy "
       "ledger; one thread, but for what is said of two; beds of no more than 4,096 discs do not share a step. A step "
       "is one of the paper's method, with two evaluations and the jump map. Memory is the most that "
       "the process has held, over its discs: for few discs it is that of the program. Numbered at random: "

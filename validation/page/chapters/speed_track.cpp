@@ -3,6 +3,7 @@
 #include <set>
 
 #include "validation/page/chapters/speed_parts.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 
@@ -34,7 +35,7 @@ Figure trend_of(const std::vector<Json>& lines) {
   int panel = 0;
   for (const Json& kernel : lines.back().at("benchmarks")) {
     const std::string name = kernel.at("run_name");
-    figure.variables["kernel_" + std::to_string(panel)] = name;
+    figure.variables["kernel_" + std::to_string(panel)] = scene_words(name);
     double first = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
       const Json* entry = kernel_of(lines[k], name);
@@ -69,7 +70,7 @@ void add_tracking(Report& report, const Numbers& numbers) {
   std::set<std::string> verdicts;
   for (const Json& kernel : last.at("benchmarks")) {
     const std::string name = kernel.at("run_name");
-    std::vector<Json> row{name};
+    std::vector<Json> row{scene_words(name)};
     for (std::size_t k = lines.size() - std::min(shown, lines.size()); k < lines.size(); ++k) {
       const Json* entry = kernel_of(lines[k], name);
       row.push_back(entry ? Json(entry->at("instructions").get<double>() / 1e6) : Json());
@@ -78,7 +79,7 @@ void add_tracking(Report& report, const Numbers& numbers) {
     row.push_back(kernel.at("cpu_time"));
     row.push_back(compared ? Json(spread(kernel["ratio"])) : Json());
     row.push_back(compared ? Json(100 * kernel["noise"].get<double>()) : Json());
-    row.emplace_back(kernel.at("error").is_null() ? "-" : rounded(kernel["error"], 2));
+    row.emplace_back(kernel.at("error").is_null() ? "–" : rounded(kernel["error"], 2));
     row.push_back(kernel.at("verdict"));
     rows.push_back(row);
   }

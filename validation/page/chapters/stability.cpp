@@ -1,11 +1,22 @@
 // Where methods fail: the atlas of their stable steps, and what that means for scenes.
 #include "verification/studies/stability.h"
 
+#include "output/files.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/failures.h"
 #include "validation/page/chapters/stability_parts.h"
 
 namespace furrow::validation {
+
+Moment moment_of(const verification::StandingScene& s) {
+  Moment moment{s.name, "at the start", s.name};
+  if (!s.of_the_paper()) return moment;
+  for (const std::string when : {", start", ", plate at the lattice"})  // as the kept numbers name them
+    if (s.name.ends_with(when)) moment.scene = s.name.substr(0, s.name.size() - when.size()) + ", discs";
+  moment.when = s.t > 0 ? "as the plate meets the lattice" : "as the plate starts";
+  moment.label = moment.scene + ", " + number(s.t) + " s";
+  return moment;
+}
 
 Report stability(const Shelf& shelf) {
   const Numbers& numbers = shelf.of("stability");

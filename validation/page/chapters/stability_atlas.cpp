@@ -36,11 +36,11 @@ Json limit_at(const AtlasEntry& e, double zeta) {
   return "–";
 }
 
-// The paper's scenes that are marked: each once.
+// The paper's scenes that are marked: each once, at the moment that sets it apart from the others.
 std::vector<StandingScene> marked(const std::vector<StandingScene>& scenes) {
   std::vector<StandingScene> some;
   std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(some), [](const StandingScene& s) {
-    return s.of_the_paper() && s.failed.empty() && s.name.find("start") == std::string::npos;
+    return s.of_the_paper() && s.failed.empty() && !s.name.ends_with(", start");
   });
   return some;
 }
@@ -60,7 +60,7 @@ Figure atlas_figure(const std::vector<AtlasEntry>& atlas, const std::vector<Stan
     figure.blocks["measured_" + n] = measured;
   }
   Json marks = Json::array();
-  for (const StandingScene& s : scenes) marks.push_back({at(s.point.zeta), s.point.angle, s.name});
+  for (const StandingScene& s : scenes) marks.push_back({at(s.point.zeta), s.point.angle, moment_of(s).label});
   figure.blocks["points"] = marks;
   figure.variables["marks"] = scenes.size();
   figure.description =
@@ -76,6 +76,15 @@ bool outside(const AtlasEntry& e, const OperatingPoint& point) {
   if (e.boundary.empty()) return false;
   const auto& [zeta, limit] = e.boundary.back();
   return point.angle > (point.zeta <= zeta ? e.limit_at(point.zeta) : limit * zeta / point.zeta);
+}
+
+// Which moment each mark is of, and why that one.
+std::string moments(const std::vector<StandingScene>& scenes) {
+  std::string text;
+  for (const StandingScene& s : scenes)
+    text += (text.empty() ? " Each is marked when its parts first act on each other: " : "; ") + moment_of(s).label +
+            ": " + moment_of(s).when;
+  return text + ".";
 }
 
 // What the figure shows, from the numbers.
@@ -101,7 +110,8 @@ std::string conclusion(const std::vector<AtlasEntry>& atlas, const std::vector<S
   for (const StandingScene& s : scenes) beyond += paper != atlas.end() && outside(*paper, s.point) ? 1 : 0;
   if (!scenes.empty())
     text += " Of the paper's scenes at its step, each by its fastest part with the neighbours held, " +
-            std::to_string(beyond) + " of " + std::to_string(scenes.size()) + " stand outside the region of pece.";
+            std::to_string(beyond) + " of " + std::to_string(scenes.size()) + " stand outside the region of pece." +
+            moments(scenes);
   return text;
 }
 

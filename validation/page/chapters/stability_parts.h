@@ -7,6 +7,14 @@
 
 namespace furrow::validation {
 
+// Where a scene stands: at its start, or as the plate meets the lattice.
+struct Moment {
+  std::string scene;  // "scene 3, discs"
+  std::string when;   // "as the plate starts"
+  std::string label;  // "scene 3, discs, 0 s"
+};
+Moment moment_of(const verification::StandingScene& scene);
+
 // The scenes are marked in the atlas.
 void report_atlas(Report& report, const std::vector<verification::AtlasEntry>& atlas,
                   const std::vector<verification::StandingScene>& scenes);

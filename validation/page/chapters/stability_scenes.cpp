@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/files.h"
 #include "scene/wording.h"
 #include "validation/page/chapters/stability_parts.h"
 
@@ -51,11 +52,12 @@ Figure spectrum_figure(const std::vector<StandingScene>& scenes, const std::vect
       values.push_back({z.real(), z.imag(), out ? 1 : 0});
       left = std::min(left, 1.05 * z.real());
     }
-    figure.variables["title_" + k] = s.name + ": " + std::to_string(outside) + " outside";
+    const Moment moment = moment_of(s);
+    figure.variables["title_" + k] = moment.label + ", " + moment.when + ": " + std::to_string(outside) + " outside";
     farthest = std::min(farthest, left);
     figure.blocks["values_" + k] = values;
-    text += (n > 1 ? "; " : "") + s.name + ": the fastest at " + rounded(s.own_step * s.fastest.real(), 3) + ", " +
-            std::to_string(outside) + " outside the stable region of pece";
+    text += (n > 1 ? "; " : "") + moment.label + ": the fastest at " + rounded(s.own_step * s.fastest.real(), 3) +
+            ", " + std::to_string(outside) + " outside the stable region of pece";
   }
   figure.variables["panels"] = n;
   figure.variables["reach"] = farthest;
@@ -69,20 +71,22 @@ void moments_table(Report& report, const std::vector<StandingScene>& scenes) {
   for (const StandingScene& s : scenes) {
     if (!s.failed.empty()) continue;
     const double over = s.own_step / step_of(s, "pece")->measured;
-    rows.push_back({s.name, s.t, over, over > 1 ? "above the limit" : "below the limit", s.numbers,
+    const Moment moment = moment_of(s);
+    rows.push_back({moment.scene, moment.when + " (" + number(s.t) + " s)", over,
+                    over > 1 ? "above the limit" : "below the limit", s.numbers,
                     rounded(s.fastest.real(), 4) +
                         (s.fastest.imag() != 0 ? " ± " + rounded(std::fabs(s.fastest.imag()), 4) + " i" : ""),
                     s.driver.name + " (" + s.driver.how + ", " + std::to_string(std::lround(100 * s.driver.share)) +
                         " % of the power)",
-                    1e3 * s.own_step, s.balance.diverged.empty() ? Json(s.balance.share()) : Json("diverged")});
+                    1e3 * s.own_step,
+                    s.balance.diverged.empty() ? rounded(100 * s.balance.share(), 3) + " %" : "diverged"});
   }
   report.table(
       "Is the step of each scene below the largest stable one of the paper's method, pece? Its step over that limit, "
-      "what "
-      "sets the limit, and the energy that the method makes or loses in the next 200 steps over the energy handled in "
-      "them.",
-      {"scene", "t [s]", "step over limit", "verdict", "numbers", "lambda [1/s]", "driven by", "step [ms]",
-       "energy made up"},
+      "what sets the limit, and how far the energy balance of the next 200 steps is off, of the energy handled in "
+      "them; what the method makes in a whole run stands with the finding.",
+      {"scene", "moment", "step over limit", "verdict", "numbers", "lambda [1/s]", "driven by", "step [ms]",
+       "balance off by"},
       rows);
 }
 
@@ -90,7 +94,7 @@ std::string in_ms(double seconds) { return rounded(1e3 * seconds, 3); }
 
 void steps_table(Report& report, const std::vector<StandingScene>& scenes) {
   std::vector<std::string> head{"method"};
-  for (const StandingScene& s : scenes) head.push_back(s.name);
+  for (const StandingScene& s : scenes) head.push_back(moment_of(s).label);
   std::vector<std::vector<Json>> rows;
   for (const MethodInfo& info : method_catalogue()) {
     std::vector<Json> row{info.name};
@@ -111,13 +115,14 @@ void agreement_claim(Report& report, const std::vector<StandingScene>& scenes) {
   std::string worst_where;
   int compared = 0;
   for (const StandingScene& s : scenes) {
-    if (!s.failed.empty()) worst = HUGE_VAL, worst_where = s.name + ", which has no numbers";
+    if (!s.failed.empty()) worst = HUGE_VAL, worst_where = moment_of(s).label + ", which has no numbers";
     for (const StableStep& step : s.steps) {
       if (s.own_growth > 0) break;
       if (!std::isfinite(step.predicted)) continue;  // any step
       const double off = std::fabs(step.measured / step.predicted - 1);
       ++compared;
-      if (!(off <= worst)) worst = std::isnan(off) ? HUGE_VAL : off, worst_where = step.method + " in " + s.name;
+      if (!(off <= worst))
+        worst = std::isnan(off) ? HUGE_VAL : off, worst_where = step.method + " in " + moment_of(s).label;
     }
   }
   report.claim(
@@ -131,29 +136,29 @@ void agreement_claim(Report& report, const std::vector<StandingScene>& scenes) {
 // What is found of the paper's scenes; no aim of this page.
 void tell_of_the_paper(Report& report, const std::vector<StandingScene>& scenes) {
   for (const StandingScene& s : scenes) {
-    if (s.name.find("scene 2") != 0 || !s.failed.empty()) continue;
-    const double ratio = s.own_step / step_of(s, "pece")->measured;
-    report.text(s.name + ": the paper's step is " + rounded(ratio, 2) +
-                " times the largest stable one of its method, and " + rounded(100 * s.balance.share(), 3) +
-                " % of the energy handled is made up.");
+    if (!s.of_the_paper() || !s.failed.empty()) continue;
+    const Moment moment = moment_of(s);
+    report.text(moment.scene + ", " + moment.when + ": the paper's step is " +
+                rounded(s.own_step / step_of(s, "pece")->measured, 2) + " times the largest stable one of its method.");
   }
 }
 
-// The first screen: the paper's step over the largest stable one.
+// The first screen: the paper's step over the largest stable one, all at one moment.
 void add_headline(Report& report, const std::vector<StandingScene>& scenes) {
   std::string text;
   double most = 0;
   for (const StandingScene& s : scenes) {
-    if (s.name.find("scene") != 0 || !s.failed.empty()) continue;
+    if (!s.of_the_paper() || s.t > 0 || !s.failed.empty()) continue;
     const double ratio = s.own_step / step_of(s, "pece")->measured;
     most = std::max(most, ratio);
-    text += (text.empty() ? "" : "; ") + s.name + ": " + rounded(ratio, 2);
+    text += (text.empty() ? " " : "; ") + moment_of(s).scene + ": " + rounded(ratio, 2);
   }
   if (!text.empty())
     report.headline({.tile = "breaks",
                      .value = "up to " + rounded(most, 2) + " times",
-                     .text = "the largest stable step of its method is what the paper's step takes: " + text +
-                             ". Below 1 it is stable."});
+                     .text = "the largest stable step of its method is what the paper's step takes, in the settled bed "
+                             "as the plate starts:" +
+                             text + ". Below 1 it is stable."});
 }
 
 // Of those that do not rest.
@@ -161,7 +166,8 @@ std::string exceptions(const std::vector<StandingScene>& scenes) {
   std::string text;
   for (const StandingScene& s : scenes) {
     if (s.own_growth > 0)
-      text += " " + s.name + " does not rest: small changes grow by themselves by " + rounded(s.own_growth, 2) +
+      text += " " + moment_of(s).label + " does not rest: small changes grow by themselves by " +
+              rounded(s.own_growth, 2) +
               " a second, in the two thousand steps of a search many times over. Its measured steps are shown, but no "
               "agreement is claimed.";
   }

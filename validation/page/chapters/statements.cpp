@@ -9,7 +9,9 @@
 #include "output/files.h"
 #include "validation/page/chapters/chapters.h"
 #include "validation/page/chapters/convergence_settled.h"
+#include "validation/page/chapters/in_words.h"
 #include "validation/page/chapters/statements_why.h"
+#include "validation/page/names.h"
 #include "validation/studies/kept_ensemble.h"
 #include "validation/studies/observed_run.h"
 #include "validation/studies/verdict.h"
@@ -35,14 +37,12 @@ std::string said(const Statement& s) {
 
 std::string interval(double low, double high, std::size_t members) {
   if (members < 6) return "–";
-  return low == high ? "always " + three_digits(low) : three_digits(low) + " to " + three_digits(high);
+  return from_to(low, high);
 }
 
 // The median with its unit, or what most runs say in words.
 std::string ours(const Statement& s, const Sample& sample) {
-  if (s.observable == "finished")
-    return std::to_string(std::count(sample.numbers.begin(), sample.numbers.end(), 1)) + " of " +
-           std::to_string(sample.members()) + " come to their end";
+  if (is_yes_or_no(s)) return count_of_yes(sample) + " come to their end";
   if (sample.numbers.empty()) return common(sample.words);
   return three_digits(sample.quantile(0.5)) + (s.unit.empty() ? "" : " " + s.unit);
 }
@@ -85,11 +85,12 @@ void judge(Report& report, const Groups& groups, const Reasons& reasons) {
         ++one[1];
       }
       const auto [low, high] = sample.median_interval();
-      rows.push_back({scene == "scenario_1" ? "1" : scene.substr(9) + ", " + group.substr(group.find(' ') + 1) + "s",
-                      statement_cell(s, group), verdict, paper_cell(s, said(s)), ours(s, sample), runs(sample),
-                      interval(low, high, sample.numbers.size()),
-                      interval(sample.quantile(0.05), sample.quantile(0.95), sample.numbers.size()),
-                      reasons.why(s, sample, group, verdict)});
+      const std::size_t numbers = is_yes_or_no(s) ? 0 : sample.numbers.size();  // those have no median
+      rows.push_back(
+          {scene == "scenario_1" ? "scene 1" : scene_words(scene) + ", " + group.substr(group.find(' ') + 1) + "s",
+           statement_cell(s, group), verdict, paper_cell(s, said(s)), ours(s, sample), runs(sample),
+           interval(low, high, numbers), interval(sample.quantile(0.05), sample.quantile(0.95), numbers),
+           reasons.why(s, sample, group, verdict)});
     }
   }
   std::string counts;
@@ -169,10 +170,10 @@ void add_gaps(Report& report, const Numbers& numbers, const Groups& groups) {
     const Readings& words = readings().at(gap.setting);
     const Json &as_read = groups.at(gap.scene + " disc").at(0), &otherwise = numbers.at(gap.key());
     for (const std::string& id : gap.shown)
-      rows.push_back({words.what, words.ours, words.other, gap.setting, gap.scene.substr(9), quantity_of(id),
+      rows.push_back({words.what, words.ours, words.other, gap.setting, scene_words(gap.scene), quantity_of(id),
                       shown_in(as_read, id), shown_in(otherwise, id)});
     if (otherwise.contains("failed"))
-      failures += " With " + gap.setting + " scene " + gap.scene.substr(9) +
+      failures += " With " + gap.setting + " " + scene_words(gap.scene) +
                   " does not run: " + otherwise["failed"].get<std::string>() + ".";
   }
   report.heading("Gaps and misprints, tried both ways");

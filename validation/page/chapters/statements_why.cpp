@@ -5,6 +5,7 @@
 
 #include "output/files.h"
 #include "validation/page/chapters/convergence_settled.h"
+#include "validation/page/chapters/in_words.h"
 #include "validation/page/chapters/readings_parts.h"
 
 namespace furrow::validation {
@@ -26,6 +27,7 @@ std::string percent(double share) { return three_digits(100 * share) + " %"; }
 std::string decided(const Statement& s, const Sample& sample) {
   const std::size_t members = sample.members();
   if (members == 0) return "no run says it";
+  if (is_yes_or_no(s)) return count_of_yes(sample) + " come to their end, half must";
   if (s.holds || s.relation == "below" || s.relation == "by" || s.relation == "above") {
     const std::array<double, 2> range = s.holds                 ? *s.holds
                                         : s.relation == "above" ? std::array{s.value, infinity}

@@ -7,9 +7,9 @@
 
 #include "scene/wording.h"
 #include "validation/page/chapters/chapters.h"
-#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/precision_chart.h"
 #include "validation/page/chapters/work_precision_found.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -55,7 +55,7 @@ void add_gains(Report& report, const std::vector<Found>& all) {
   report.table(
       "The cheapest method at an error, what the paper's method (pece) needs for it, and how many times dearer that "
       "is. "
-      "At the paper's own error that is the paper's setting, pece at 1e-4 s. A method must keep the error with every "
+      "At the paper's own error that is the paper's setting, pece at 0.1 ms. A method must keep the error with every "
       "finer setting; costs between two settings are read off the straight line in logarithms. Not resolved: below "
       "what the "
       "references can distinguish.",
@@ -113,7 +113,7 @@ void add_paper(Report& report, const std::vector<Found>& all) {
     report.text("Why not there? No method here but rkc covers more than 2 of the negative real axis an evaluation." +
                 why + " rkc covers more, but starts again at every touch and slip.");
   report.table(
-      "The paper's setting, pece at 1e-4 s: its error, and the methods that reach that error for the fewest "
+      "The paper's setting, pece at 0.1 ms: its error, and the methods that reach that error for the fewest "
       "evaluations "
       "and for the least CPU time, with their share of what the paper's setting needs.",
       {"case", "the paper's error", "fewest evaluations", "share", "least CPU time", "share"}, rows);
@@ -179,7 +179,7 @@ Report work_precision(const Shelf& shelf) {
       "spread of the repeats. Below the dotted line the references do not distinguish errors: what is smaller is drawn "
       "on it.");
   for (const Found& f : all) {
-    report.heading(scene_words(f.info.name) + ": " + f.info.title);
+    report.heading(capital(scene_words(f.info.name)) + ": " + f.info.title);
     const WorkPrecisionPoint* paper = paper_point(f);
     report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper, winners(f)));
   }

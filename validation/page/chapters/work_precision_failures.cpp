@@ -3,8 +3,8 @@
 #include <map>
 
 #include "scene/wording.h"
-#include "validation/page/chapters/names.h"
 #include "validation/page/chapters/work_precision_found.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {

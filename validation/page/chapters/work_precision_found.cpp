@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "validation/page/chapters/names.h"
+#include "validation/page/names.h"
 
 namespace furrow::validation {
 
@@ -50,13 +50,13 @@ void add_references(Report& report, const std::vector<Found>& all) {
       continue;
     }
     rows.push_back({scene_words(f.info.name), f.info.title, f.info.by_force ? "force curve" : "positions",
-                    f.info.reference_step, f.reference["other"], f.reference["place"], f.reference["force"],
+                    1e3 * f.info.reference_step, f.reference["other"], f.reference["place"], f.reference["force"],
                     floor_of(f), f.reference["torn"]});
   }
   report.table(
       "References: rk4 at a short step, and a method that shares nothing with it. The charts end where the two "
       "differ by a tenth of the error.",
-      {"scene", "what happens", "judged by", "step of rk4 [s]", "the other", "difference, positions",
+      {"scene", "what happens", "judged by", "step of rk4 [ms]", "the other", "difference, positions",
        "difference, force curve", "smallest error shown", "links torn"},
       rows);
 }
@@ -83,7 +83,7 @@ void add_predictability(Report& report, const std::vector<Found>& all) {
   }
   report.table(
       "How long the scenes can be foretold: two runs whose starts differ by 1e-12 of each position (pece at "
-      "2.5e-5 s), by how much that has grown at the end of the chart, and when they differ by more than a "
+      "0.025 ms), by how much that has grown at the end of the chart, and when they differ by more than a "
       "fraction of the way that the bodies have gone.",
       {"scene", "watched [s]", "grown, times", "1e-9 apart [s]", "1e-6 apart [s]", "1e-3 apart [s]"}, rows);
 }
