@@ -73,12 +73,20 @@ int made_for(const fs::path& file) {
   return made(partial_of(file));
 }
 
+// Asked once: to ask is to change it for a moment, also for the files that other threads make.
+mode_t mask_of_process() {
+  static const mode_t mask = [] {
+    const mode_t now = umask(0);
+    umask(now);
+    return now;
+  }();
+  return mask;
+}
+
 int made_beside(std::string& pattern) {
   const int descriptor = mkostemp(pattern.data(), O_CLOEXEC);
   if (descriptor < 0) fail("cannot write ", pattern, errno);
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor, permissions & ~mask);
+  fchmod(descriptor, permissions & ~mask_of_process());
   return descriptor;
 }
 

@@ -170,7 +170,9 @@ void MadeFiles::hear(const fs::path& file, const FileNews& news) {
   const fs::path place = fs::canonical(file.has_parent_path() ? file.parent_path() : fs::path("."), failed);
   if (failed) return;
   const std::string name = (place / file.filename()).lexically_relative(canonical_).string();
-  if (name.empty() || name.starts_with("..") || name == ".furrow.json" || is_nearer(place, canonical_)) return;
+  // Markers, also those of owners below, are nobody's to replace.
+  if (name.empty() || name.starts_with("..") || file.filename() == ".furrow.json" || is_nearer(place, canonical_))
+    return;
   note(in_words(news), name);
 }
 

@@ -61,7 +61,7 @@ bool is_unfinished_marker(const fs::path& path) {
 bool is_proper(const std::string& name) {
   const fs::path path(name);
   return !path.empty() && path.is_relative() && path == path.lexically_normal() && path.has_filename() &&
-         *path.begin() != ".." && name != marker_name && name != journal_name;
+         *path.begin() != ".." && path.filename() != marker_name && path.filename() != journal_name;
 }
 
 struct Marker {

@@ -185,7 +185,7 @@ TEST_F(RefusedResume, OfAnotherSceneMethodOrStep) {
 }
 
 TEST_F(RefusedResume, WhereThereIsNothingToGoOnFrom) {
-  expect_refused("lattice.toml --resume nowhere", 4, "no checkpoint");
+  expect_refused("lattice.toml --resume nowhere", 4, "nowhere: no such directory, so no run to go on with");
   EXPECT_FALSE(has("nowhere"));
   expect_refused("lattice.toml --until 0.05 --resume here", 2, "it has come to 0.09");
   fs::remove(directory_ / "here/checkpoint");

@@ -65,6 +65,21 @@ TEST_F(OwnedDirectories, WhatHasTheNameOfTheJournalAndIsNoneIsNotTouched) {
   }
 }
 
+// As a report owns the directory in which its runs have theirs.
+TEST_F(OwnedDirectories, TheMarkerOfAnOwnerBelowIsNotRemovedWithAKilledOne) {
+  const pid_t child = fork();
+  if (child == 0) {
+    OwnedDirectory above(place_, "report", {"index.html"});
+    OwnedDirectory below(place_ / "scenario_1", "run", all);
+    _exit(0);
+  }
+  waitpid(child, nullptr, 0);
+  ASSERT_TRUE(fs::exists(place_ / "scenario_1/.furrow.json"));
+  { OwnedDirectory(place_, "report", {"index.html"}); }
+  EXPECT_TRUE(fs::exists(place_ / "scenario_1/.furrow.json"));
+  EXPECT_NO_THROW(OwnedDirectory(place_ / "scenario_1", "run", all));
+}
+
 TEST_F(OwnedDirectories, OneThatWasKilledBeforeItHadAMarkerIsTaken) {
   for (const char* text : {"", "furrow, files made"}) {
     fs::remove_all(place_);
