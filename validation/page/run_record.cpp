@@ -17,7 +17,6 @@
 #include "physics/ramp.h"
 #include "scene/labels.h"
 #include "scene/read.h"
-#include "validation/page/names.h"
 
 namespace furrow::validation {
 namespace {
@@ -170,18 +169,10 @@ Statement statement_of(const toml::table& entry, const std::string& which) {
 
 }  // namespace
 
-const WatchedFact* RunRecord::watch(std::string_view wanted) const {
-  const auto found = std::find_if(watched.begin(), watched.end(),
-                                  [&](const WatchedFact& w) { return w.name == wanted && !std::isnan(w.time); });
-  return found == watched.end() ? nullptr : &*found;
-}
-
 const Fact* RunRecord::fact(std::string_view key) const {
   const auto found = std::find_if(facts.begin(), facts.end(), [&](const Fact& f) { return f.key == key; });
   return found == facts.end() ? nullptr : &*found;
 }
-
-std::string RunRecord::title() const { return scene_title(name, scene.title); }
 
 bool RunRecord::finished() const {
   const Fact* ended = fact("ended");

@@ -70,10 +70,8 @@ struct RunRecord {
   std::optional<double> met;   // mm, when the plate first touches a lattice; NaN: never; none: not recorded
   std::vector<Frame> frames;
 
-  const Fact* fact(std::string_view key) const;           // null if there is none
-  const WatchedFact* watch(std::string_view name) const;  // null if it was not watched
+  const Fact* fact(std::string_view key) const;  // null if there is none
   bool finished() const;
-  std::string title() const;  // "Scene 1: ...", see names.h
 };
 
 double plate_speed(const RunRecord& run);                   // of the first plate, after its ramp, mm/s

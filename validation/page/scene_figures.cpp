@@ -6,6 +6,7 @@
 #include "output/files.h"
 #include "validation/page/html.h"
 #include "validation/page/observables.h"
+#include "validation/page/run_words.h"
 #include "validation/page/template.h"
 
 namespace furrow::validation {
@@ -97,7 +98,7 @@ std::string tear_table(const RunRecord& run, Page& page) {
          framed({page.id("table " + run.name + " tears"),
                  "Links in the order in which they tear. Rows of nodes count from 0 at the lowest, columns from 0 at "
                  "the left, as in the scene file; the statements beside the paper count from 1.",
-                 run.title() + ", tears one by one", "study",
+                 title_of(run) + ", tears one by one", "study",
                  head_cell("Tear", true) + head_cell("Plate at [mm]", true) + head_cell("Kind") + head_cell("From") +
                      head_cell("To") + head_cell("Force on the plate [N]", true),
                  rows}) +
@@ -152,7 +153,7 @@ std::string overlap_figure(const RunRecord& run, Page& page) {
   return framed(page,
                 {page.id("figure " + run.name + " overlaps"),
                  plot(drawn(input, "overlaps.gp", page.files, run.name + "_overlaps",
-                            run.title() + ": histogram of overlaps at the end, " + said)),
+                            title_of(run) + ": histogram of overlaps at the end, " + said)),
                  "How deep discs lie in each other and in walls, of the radius R, at two moments: at the end " + said +
                      ". The contact law holds for overlaps that are small against R; beyond 1 R the "
                      "centre of a disc is behind the surface of the other.",
@@ -194,7 +195,7 @@ std::string tear_figure(const RunRecord& run, Page& page) {
          framed(page,
                 {page.id("figure " + run.name + " tears"),
                  plot(drawn(input, "tears.gp", page.files, run.name + "_tears",
-                            run.title() + ": " + std::to_string(run.torn.size()) + " torn links on the lattice, " +
+                            title_of(run) + ": " + std::to_string(run.torn.size()) + " torn links on the lattice, " +
                                 bare(first))),
                  "The " + std::to_string(run.torn.size()) +
                      " links that tear, numbered in their order, on the lattice as it stands at the start; colour: "
@@ -230,7 +231,7 @@ std::string step_figure(const RunRecord& run, std::vector<RunByStep> others, Pag
   input.block("off", rows).block("names", names).block("force", force);
   return framed(page, {page.id("figure " + run.name + " by step"),
                        plot(drawn(input, "by_step.gp", page.files, run.name + "_by_step",
-                                  run.title() + ": how far the force is off by step; " + bare(said))),
+                                  title_of(run) + ": how far the force is off by step; " + bare(said))),
                        "Where the step matters: difference of the force on the plate to that with steps of " +
                            step_name(finest.step) + ", root mean square over every " + with_unit(stretch, "mm") +
                            " of the way, from the same start. " + said + ". Grey: the force itself.",

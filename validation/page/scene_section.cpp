@@ -10,6 +10,7 @@
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
 #include "validation/page/observables.h"
+#include "validation/page/run_words.h"
 #include "validation/page/snapshots.h"
 #include "validation/page/template.h"
 #include "validation/page/validity_part.h"
@@ -50,7 +51,7 @@ class SceneSection {
     return filled(page_file("scene.html"),
                   {{"id", page_.id(run_.name)},
                    {"heading", heading(3, page_.id(run_.name + " scene"),
-                                       element("span", number, "section") + escaped(run_.title()))},
+                                       element("span", number, "section") + escaped(title_of(run_)))},
                    {"ending", ending(run_)},
                    {"player", beside.player},
                    {"force", force(beside.band)},
@@ -114,7 +115,7 @@ class SceneSection {
     return framed(page_,
                   {page_.id("figure " + figure_name("force")),
                    plot(drawn(input, "force.gp", page_.files, figure_name("force"),
-                              run_.title() + ": the force on the plate against its displacement; it is largest, " +
+                              title_of(run_) + ": the force on the plate against its displacement; it is largest, " +
                                   bare(largest()))),
                    "Force on the plate, drawn as resistance (F<sub>x</sub> positive when the plate is held back); the "
                    "sum is largest, " +
@@ -171,7 +172,7 @@ class SceneSection {
   // In J and, as everywhere on the page, of all the energy that the scene was given.
   std::string unaccounted(double residual) const {
     std::string words = "the residual, what the ledger cannot place, is " + with_unit(residual, "J");
-    const WatchedFact* made = run_.watch("energy_made");
+    const WatchedFact* made = watch_of(run_, "energy_made");
     if (made == nullptr) return words + ".";
     words += ": the method or a law made " + with_unit(100 * made->worst, "%") +
              " of all the energy that the scene was given";
@@ -201,7 +202,7 @@ class SceneSection {
                                 element("td", got, ours.words.empty() ? "number" : "words") +
                                 element("td", difference_cell, "number"));
     }
-    return framed({page_.id("table " + run_.name + " beside the paper"), "", run_.title() + ", beside the paper",
+    return framed({page_.id("table " + run_.name + " beside the paper"), "", title_of(run_) + ", beside the paper",
                    "statements",
                    head_cell("Quantity") + head_cell("Paper") + head_cell("furrow") + head_cell("Difference"), rows});
   }
@@ -227,7 +228,7 @@ class SceneSection {
     }
     return framed({page_.id("table " + run_.name + " torn links"),
                    "Torn links by kind, and the displacement of the plate at the first and the last.",
-                   run_.title() + ", torn links", "study",
+                   title_of(run_) + ", torn links", "study",
                    head_cell("Kind") + head_cell("Links", true) + head_cell("Torn", true) +
                        head_cell("Of them to a fixed node", true) + head_cell("First", true) + head_cell("Last", true),
                    rows});

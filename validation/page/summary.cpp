@@ -12,6 +12,7 @@
 #include "validation/page/mutants.h"
 #include "validation/page/names.h"
 #include "validation/page/page_parts.h"
+#include "validation/page/run_words.h"
 
 namespace furrow::validation {
 namespace {
@@ -178,7 +179,7 @@ std::string beyond_hertz(const std::vector<RunRecord>& runs) {
   std::string overlaps, scenes;
   double small = 0;
   for (const RunRecord& run : runs) {
-    const WatchedFact* overlap = run.watch("overlap");
+    const WatchedFact* overlap = watch_of(run, "overlap");
     if (overlap == nullptr || overlap->worst <= overlap->warns_above) continue;
     small = overlap->warns_above;
     overlaps += (overlaps.empty() ? "" : ", ") + shown(overlap->worst) + " R";

@@ -63,7 +63,7 @@ std::string sentence(const std::string& verdict) {
 }
 
 double worst_of(const RunRecord& run, const std::string& name) {
-  const WatchedFact* watch = run.watch(name);
+  const WatchedFact* watch = watch_of(run, name);
   return watch ? watch->worst : std::nan("");
 }
 
