@@ -100,7 +100,9 @@ TEST(Chapters, GiveWhatIsYesOrNoNoIntervalOfOnes) {
   }
   EXPECT_EQ(asked, 5) << "scene 1, and two scenes in two readings";
   for (const Json& row : part_of(read, "caption", "Sentences of the paper").at("rows"))
-    if (row[2].is_string()) EXPECT_FALSE(has(row[2].get<std::string>() + ";", "at 1;")) << row;
+    if (row[2].is_string()) {
+      EXPECT_FALSE(has(row[2].get<std::string>() + ";", "at 1;")) << row;
+    }
 }
 
 TEST(Chapters, NameEachMethodOnAParetoFrontOnce) {
