@@ -38,6 +38,9 @@ TEST(Names, OfAFileAreWords) {
   EXPECT_EQ(scene_words("step_scenario_2"), "step scene 2");
   EXPECT_EQ(scene_words("single_spring"), "single spring");
   EXPECT_EQ(scene_title("scenario_3", "Third scene of the paper: a plate"), "Scene 3: a plate");
+  EXPECT_EQ(without_scene("the paper's second scene from 2 s on"), "from 2 s on");
+  EXPECT_EQ(without_scene("the paper's first scene, 1.2 s"), "1.2 s");
+  EXPECT_EQ(without_scene("a clamped lattice, 1 s"), "a clamped lattice, 1 s");
   EXPECT_EQ(scene_title("stem", "A plate breaks a stem"), "A plate breaks a stem");
 }
 

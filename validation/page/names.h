@@ -19,6 +19,15 @@ inline std::string capital(std::string words) {
   return words;
 }
 
+// "from 2 s on, for 0.1 s", of a title that begins with "the paper's second scene ": the name stands before it.
+inline std::string without_scene(const std::string& title) {
+  constexpr std::string_view before = "the paper's ", after = " scene";
+  const std::size_t at = title.find(after);
+  if (!title.starts_with(before) || at == std::string::npos) return title;
+  const std::size_t rest = title.find_first_not_of(", ", at + after.size());
+  return rest == std::string::npos ? title : title.substr(rest);
+}
+
 // "Scene 1: a plate drawn against a lattice", of a scene file whose title begins with "First scene of the paper: ".
 inline std::string scene_title(const std::string& name, const std::string& title) {
   constexpr std::string_view of_the_paper = " scene of the paper: ";

@@ -136,7 +136,7 @@ Figure precision_chart(const CaseInfo& info, const std::vector<WorkPrecisionCurv
   Figure figure{.name = "work_precision_" + info.name, .script = "work_precision.gp"};
   figure.caption = "Error of the " + std::string(info.by_force ? "force curve" : "positions at the end") +
                    " against evaluations and CPU time. Least for the paper's own error: " + joined(winners) + ".";
-  figure.description = scene_words(info.name) + ", " + info.title +
+  figure.description = scene_words(info.name) + ", " + without_scene(info.title) +
                        ": error against cost; the paper's error is reached for least by " + joined(winners);
   std::string names, styles, first;
   int count = 0;

@@ -179,7 +179,7 @@ Report work_precision(const Shelf& shelf) {
       "spread of the repeats. Below the dotted line the references do not distinguish errors: what is smaller is drawn "
       "on it.");
   for (const Found& f : all) {
-    report.heading(capital(scene_words(f.info.name)) + ": " + f.info.title);
+    report.heading(capital(scene_words(f.info.name)) + ": " + without_scene(f.info.title));
     const WorkPrecisionPoint* paper = paper_point(f);
     report.figure(precision_chart(f.info, f.method_curves, floor_of(f), paper, winners(f)));
   }

@@ -49,9 +49,9 @@ void add_references(Report& report, const std::vector<Found>& all) {
       rows.push_back({scene_words(f.info.name), "failed: " + f.reference["failed"].get<std::string>()});
       continue;
     }
-    rows.push_back({scene_words(f.info.name), f.info.title, f.info.by_force ? "force curve" : "positions",
-                    1e3 * f.info.reference_step, f.reference["other"], f.reference["place"], f.reference["force"],
-                    floor_of(f), f.reference["torn"]});
+    rows.push_back({scene_words(f.info.name), without_scene(f.info.title),
+                    f.info.by_force ? "force curve" : "positions", 1e3 * f.info.reference_step, f.reference["other"],
+                    f.reference["place"], f.reference["force"], floor_of(f), f.reference["torn"]});
   }
   report.table(
       "References: rk4 at a short step, and a method that shares nothing with it. The charts end where the two "
