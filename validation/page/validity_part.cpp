@@ -7,6 +7,7 @@
 #include "validation/page/gnuplot.h"
 #include "validation/page/html.h"
 #include "validation/page/names.h"
+#include "validation/page/run_words.h"
 
 namespace furrow::validation {
 namespace {
