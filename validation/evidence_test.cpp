@@ -52,7 +52,7 @@ TEST(Evidence, AllInTheTreeCanBeShown) {
 TEST(Evidence, AMissingStudyOrFaultFileIsNamed) {
   Place place;
   const auto missing =
-      missing_evidence({place.path / "checks.json", place.path / "faults.json", place.path / "studies"});
+      missing_evidence({place.path / "checks.json", place.path / "faults.json", place.path / "studies", catalogue()});
   ASSERT_EQ(missing.size(), 2 + studies_of_the_page().size());
   EXPECT_EQ(missing[0], "cannot read " + (place.path / "checks.json").string() + "; made by: scripts/test");
   EXPECT_EQ(missing[1], "cannot read " + (place.path / "faults.json").string() + "; made by: scripts/faults");

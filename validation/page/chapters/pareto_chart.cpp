@@ -69,12 +69,17 @@ Json names_on(const std::vector<Reached>& front, const Panel& panel, std::size_t
     if (std::find(named.begin(), named.end(), r.method) != named.end()) continue;
     named.push_back(r.method);
     const double x = panel.x(r.cpu) + 7;
-    double y = panel.y(r.error) + 9;
+    const double beside = std::clamp(panel.y(r.error) + 9, line / 2, high - line / 2);
+    double y = beside;
     const auto meets = [&](const Box& b) {
       return x < b.right && b.left < x + letter * static_cast<double>(r.method.size()) && y - line / 2 < b.top &&
              b.low < y + line / 2;
     };
-    while (std::any_of(taken.begin(), taken.end(), meets)) y += 2;
+    const auto fits = [&] {
+      return y >= line / 2 && y <= high - line / 2 && std::none_of(taken.begin(), taken.end(), meets);
+    };
+    // In turn above and below, ever farther, within the panel.
+    for (int tried = 1; !fits() && tried < high; ++tried) y = beside + (tried % 2 == 1 ? 1 : -1) * (tried + 1) / 2 * 2;
     taken.push_back({x, x + letter * static_cast<double>(r.method.size()), y - line / 2, y + line / 2});
     rows.push_back({k, r.cpu, r.error, panel.cost(x), panel.error(y), r.method});
   }
