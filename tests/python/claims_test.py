@@ -51,7 +51,7 @@ class Readme(unittest.TestCase):
         self.assertRegex(figure, r"^!\[.*\]\(validation/figures/readme_finding\.svg\)$")
 
     def test_the_finding_is_what_the_study_says(self):
-        said = re.findall(r"^Scene ([23]), (discs|spheres): the largest force is ([\d.]+) N at the paper's step and ([\d.]+) N at 0.002 ms\.$",
+        said = re.findall(r"^Scene ([23]), (discs|spheres): the largest force is ([\d.]+) N at the paper's step and ([\d.]+) N at 0.002 ms\.",
                           words_of("convergence"), re.MULTILINE)
         at = {(scene, what): (papers, finest) for scene, what, papers, finest in said}
         self.assertEqual(len(at), 4)
@@ -69,8 +69,8 @@ class Readme(unittest.TestCase):
                       "the figure is not of these numbers: scripts/readme makes it again")
 
     def test_what_was_found_is_what_the_studies_say(self):
-        for study, words in (("statements", r"Of \d+ statements, judged .*"), ("geometry", r"No setting tried .*")):
-            said = re.findall(rf"^(?:- )?(?:.*?: )?({words})$", words_of(study), re.MULTILINE)
+        for study, words in (("statements", r"Of \d+ statements, judged [^.]*\."), ("geometry", r"No setting tried .*")):
+            said = re.findall(rf"^(?:- )?(?:.*?: )?({words})(?: .*)?$", words_of(study), re.MULTILINE)
             self.assertEqual(len(said), 1, said)
             self.assertIn(said[0], self.page)
         count = re.search(r"Of (\d+) statements", self.page)[1]
