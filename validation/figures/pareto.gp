@@ -27,7 +27,7 @@ do for [k=0:count-1] {
   set rmargin at screen (left + 350) / wide
   set tmargin at screen 1 - upper / tall
   set bmargin at screen 1 - (upper + 175) / tall
-  set xrange [*:*]  # else those of the panel before limit what is looked at
+  set xrange [*:*]  # those of the last panel would hide data from stats
   set yrange [*:*]
   stats $panels using ($1 == k ? $2 : NaN) name 'from' nooutput
   stats $panels using ($1 == k ? $3 : NaN) name 'to' nooutput
