@@ -108,7 +108,7 @@ inline std::string did_you_mean(std::string_view word, const std::vector<std::st
 // The nearest of the known names, or all of them if none is near; of very many the three that are least far.
 inline std::string nearest_or_all(std::string_view word, std::vector<std::string> known) {
   constexpr std::size_t many = 30, most_letters = 100;
-  const std::string nearest = did_you_mean(word, known);
+  std::string nearest = did_you_mean(word, known);
   if (!nearest.empty() || known.empty()) return nearest;
   if (known.size() <= many) return "; known: " + joined(known);
   const std::string begins(word.substr(0, most_letters));

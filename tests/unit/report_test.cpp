@@ -126,7 +126,7 @@ TEST(Report, NamesASceneOfThePaperByItsNumber) {
   scene.title = "First scene of the paper: three nodes";
   run.write("scene.toml", canonical_text(scene));
   const std::string page = page_of(run);
-  EXPECT_TRUE(has(page, "</span>Scene 1: three nodes <a"));
+  EXPECT_TRUE(has(page, "</span>\nScene 1: three nodes <a"));
   EXPECT_TRUE(has(page, "aria-label=\"Scene 1: three nodes: the force on the plate"));
   EXPECT_TRUE(has(page, "<th scope=\"col\">scene 1</th>")) << "of the table of runs";
   EXPECT_FALSE(has(page, "First scene of the paper"));
