@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <mutex>
 #include <utility>
-#include <vector>
+
+#include "output/tell.h"
 
 namespace furrow {
 namespace {
@@ -22,14 +22,6 @@ constexpr std::size_t most_in_memory = 1 << 16;  // bytes
 constexpr mode_t permissions = 0666;             // less what umask takes
 
 std::atomic<int> being_written = 0;
-
-std::mutex watchers_mutex;
-std::vector<const FileWatch::Hear*> watchers;
-
-void tell(const fs::path& file, const FileNews& news) {
-  const std::scoped_lock lock(watchers_mutex);
-  for (const FileWatch::Hear* hear : watchers) (*hear)(file, news);
-}
 
 void plan(const fs::path& file) { tell(file, {.what = FileNews::What::planned}); }
 
@@ -170,34 +162,6 @@ void begin_appending(const fs::path& file, std::string_view beginning) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, permissions);
   if (descriptor < 0) fail("cannot write ", file, errno);
   ::close(descriptor);
-}
-
-std::ifstream regular_file(const fs::path& file) {
-  std::ifstream stream;
-  std::error_code failed;
-  if (fs::is_regular_file(file, failed)) stream.open(file, std::ios::binary);
-  if (!stream.is_open()) stream.setstate(std::ios::failbit);
-  return stream;
-}
-
-FileMark mark_of(const fs::path& file) {
-  const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) fail("cannot read ", file, errno);
-  FileMark mark{.bytes = static_cast<std::uint64_t>(std::max<off_t>(0, lseek(descriptor, 0, SEEK_END)))};
-  lseek(descriptor, 0, SEEK_SET);
-  mark.hash = hash_of_bytes(descriptor, mark.bytes).value();
-  ::close(descriptor);
-  return mark;
-}
-
-FileWatch::FileWatch(Hear hear) : hear_(std::move(hear)) {
-  const std::scoped_lock lock(watchers_mutex);
-  watchers.push_back(&hear_);
-}
-
-FileWatch::~FileWatch() {
-  const std::scoped_lock lock(watchers_mutex);
-  std::erase(watchers, &hear_);
 }
 
 OutputFile::OutputFile(const fs::path& file, std::string_view headings)

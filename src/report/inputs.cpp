@@ -2,10 +2,9 @@
 
 #include <toml++/toml.h>
 
-#include <sstream>
-
 #include "report/embedded.h"
 #include "report/seal.h"
+#include "scene/wording.h"
 
 namespace furrow {
 
@@ -36,7 +35,7 @@ bool is_case(const std::string& name) { return !embedded_files(file_of_case(name
 std::string input_of_case(const std::string& name) {
   toml::table whole = toml::parse(embedded(file_of_case(name)));
   whole.erase("title");
-  std::ostringstream text;
+  Sentence text;
   text << toml::json_formatter{whole};
   return hash_of(text.str());
 }

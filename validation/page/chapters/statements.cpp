@@ -35,10 +35,7 @@ std::string said(const Statement& s) {
   return s.relation + (s.relation.empty() ? "" : " ") + number(s.value) + (s.unit.empty() ? "" : " " + s.unit);
 }
 
-std::string interval(double low, double high, std::size_t members) {
-  if (members < 6) return "–";
-  return from_to(low, high);
-}
+std::string interval(double low, double high, std::size_t members) { return members < 6 ? "–" : from_to(low, high); }
 
 // The median with its unit, or what most runs say in words.
 std::string ours(const Statement& s, const Sample& sample) {

@@ -1,0 +1,32 @@
+// Reading of files that were written here.
+#include <vector>
+
+#include "output/files.h"
+
+namespace furrow {
+
+std::ifstream regular_file(const std::filesystem::path& file) {
+  std::ifstream stream;
+  std::error_code failed;
+  if (std::filesystem::is_regular_file(file, failed)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) stream.setstate(std::ios::failbit);
+  return stream;
+}
+
+FileMark mark_of(const std::filesystem::path& file) {
+  std::ifstream stream = regular_file(file);
+  if (!stream) throw FileError("cannot read " + file.string());
+  FileMark mark;
+  Fnv1a hash;
+  for (std::vector<char> piece(1U << 16U); stream;) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto taken = static_cast<std::size_t>(stream.gcount());
+    hash.add(std::string_view(piece.data(), taken));
+    mark.bytes += taken;
+  }
+  if (stream.bad()) throw FileError("cannot read all of " + file.string());
+  mark.hash = hash.value();
+  return mark;
+}
+
+}  // namespace furrow
