@@ -43,6 +43,6 @@ do for [k=0:count-1] {
        $names using ($1 == k ? $2 : NaN):3:($4 - $2):($5 - $3) with vectors nohead lc rgb '#b0b0b0' lw 0.7 notitle, \
        $fronts using ($1 == k ? $2 : NaN):3 with linespoints lw 1.8 pt 7 ps 0.35 lc rgb '#0072b2' title 'least error of all methods', \
        $stars using ($1 == k ? $2 : NaN):3 with points pt 3 ps 1.3 lw 1.4 lc rgb '#a33b00' title 'pece at 0.1 ms, as in the paper', \
-       $names using ($1 == k ? $4 : NaN):5:6 with labels left font ',11' noenhanced tc rgb '#303030' notitle
+       $names using ($1 == k ? $4 : NaN):5:6 with labels left font ',12' noenhanced tc rgb '#303030' notitle
 }
 unset multiplot

@@ -35,7 +35,7 @@ std::vector<Reached> front_of(const Found& f) {
 }
 
 // Panels of pareto.gp, in its pixels.
-constexpr double wide = 350, high = 175, letter = 6.1, line = 13;
+constexpr double wide = 350, high = 175, letter = 6.6, line = 14;
 
 // What a panel shows, in logarithms of ten: from the cheapest and least error on, with room for names above and behind.
 struct Panel {
@@ -54,7 +54,7 @@ Panel panel_of(const std::vector<Reached>& front, const WorkPrecisionPoint* pape
   };
   for (const Reached& r : front) take(r.cpu, r.error);
   if (paper) take(paper->cpu, papers_error);
-  return {p.left - 0.1, p.right + 0.6 * (p.right - p.left) + 0.1, p.low - 0.2, p.top + 0.35 * (p.top - p.low) + 0.3};
+  return {p.left - 0.1, p.right + 0.75 * (p.right - p.left) + 0.1, p.low - 0.2, p.top + 0.35 * (p.top - p.low) + 0.3};
 }
 
 // In pixels of a panel.
