@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <vector>
 
 namespace furrow::validation {
 namespace {
@@ -114,9 +118,20 @@ TEST(Chapters, NameEachMethodOnAParetoFrontOnce) {
     EXPECT_TRUE(names.emplace(row[0].get<int>(), row[5].get<std::string>()).second) << row;
   EXPECT_GT(fronts.size(), 20u);
   EXPECT_EQ(names, fronts);
+  // In pixels of a panel, 350 by 175, as pareto.gp draws it: names of 6.6 a letter and 14 high lie within, side by side.
+  std::map<int, std::vector<std::array<double, 4>>> boxes;
   for (const Json& row : blocks.at("names")) {
     const Json& panel = blocks.at("panels").at(row[0].get<std::size_t>());
-    EXPECT_TRUE(row[3] > panel[1] && row[3] < panel[2] && row[4] > panel[3] && row[4] < panel[4]) << row << panel;
+    const auto within = [&](double value, int low, int high) {
+      return std::log10(value / panel[low].get<double>()) /
+             std::log10(panel[high].get<double>() / panel[low].get<double>());
+    };
+    const double x = 350 * within(row[3].get<double>(), 1, 2), y = 175 * within(row[4].get<double>(), 3, 4);
+    const double length = 6.6 * static_cast<double>(row[5].get<std::string>().size());
+    EXPECT_TRUE(x > 0 && x + length <= 350 && y - 7 > 0 && y + 7 <= 175) << row;
+    for (const auto& [left, right, low, top] : boxes[row[0].get<int>()])
+      EXPECT_FALSE(x < right - 0.01 && left + 0.01 < x + length && y - 7 < top - 0.01 && low + 0.01 < y + 7) << row;
+    boxes[row[0].get<int>()].push_back({x, x + length, y - 7, y + 7});
   }
 }
 

@@ -345,7 +345,7 @@ class Page(unittest.TestCase):
 
     def test_the_step_is_said_to_be_above_or_below_the_limit_in_each_scene(self):
         rows = self.table(self.open(), "Is the step of each scene below")
-        at_lattice = [r for r in rows if r[0] == "scene 3, discs" and r[1].startswith("as the plate meets the lattice")]
+        at_lattice = [r for r in rows if r[0] == "scene 3, discs" and r[1].startswith("as the plate is where the paper has it meet the lattice")]
         self.assertEqual(len(at_lattice), 1)
         for row in rows:
             wanted = "above the limit" if float(row[2]) > 1 else "below the limit"

@@ -25,7 +25,6 @@ set xtics 10 offset 0, 0.3
 set ytics offset 0.5, 0
 set mxtics 10
 set mytics 1
-set ylabel 'error' offset 1.6, 0
 do for [p=0:panels-1] {
   column_of = p - across * floor(p / across)
   row_of = floor(p / across)
@@ -38,19 +37,20 @@ do for [p=0:panels-1] {
   stats $panel using ($1 == p ? $2 : NaN) name 'low' nooutput
   stats $panel using ($1 == p ? $3 : NaN) name 'high' nooutput
   stats $points using ($1 == p ? $3 : NaN) name 'step' nooutput
+  stats $panel using ($1 == p ? $4 : NaN) name 'contact' nooutput
   decades = log10(high_min / low_min)
   set ytics decades > 6 ? 100 : 10
   set xrange [step_min / 2.2:step_max * 1.3]
   set yrange [low_min:high_min]
-  stats $panel using ($1 == p ? $4 : NaN) name 'contact' nooutput
   set xlabel (contact_max > 0.5 ? 'step {/:Italic h/T}' : 'step {/:Italic hω}') offset 0, 0.9 font ',13'
-  if (column_of != 0) { unset ylabel } else { set ylabel 'error of the position' offset 1.4, 0 font ',13' }
+  if (column_of == 0) { set label 1 'error of the position' at screen 0.009, screen 1 - (each * row_of + 124) / tall center rotate font ',13' } else { unset label 1 }
   plot $theory using ($1 == p ? $2 : NaN):3:($4 - $2):($5 - $3) with vectors nohead ls 9, \
        for [k=0:curves - 1] $points using ($1 == p && $2 == k ? $3 : NaN):4 with linespoints ls (k < 5 ? k + 1 : 6), \
        $labels using ($1 == p ? $2 : NaN):3:(strcol(4)) with labels right offset -0.5, 0 font ',12' tc rgb '#444444', \
        $panel using ($1 == p ? sqrt(step_min * step_max) : NaN):3:(strcol(5)) with labels offset 0, 0.9 font ',14' noenhanced
 }
 # The key, where the next panel would be.
+unset label 1
 column_of = panels - across * floor(panels / across)
 set lmargin at screen (column_of + 0.2) / across
 set rmargin at screen 1

@@ -35,13 +35,14 @@ do for [k=0:count-1] {
   stats $panels using ($1 == k ? $5 : NaN) name 'high' nooutput
   set xrange [from_min:to_min]
   set yrange [low_min:high_min]
-  set ytics (log10(high_min / low_min) > 7 ? 1000 : 10) offset 0.5, 0
+  decades = log10(high_min / low_min)
+  set ytics 1e-18, (decades > 12 ? 1e4 : decades > 6 ? 100 : 10), 1 offset 0.5, 0
   set xlabel 'CPU time [s]' offset 0, 0.7
-  if (column_of == 0) { set ylabel 'error [-]' offset 1.4, 0 } else { unset ylabel }
+  if (column_of == 0) { set label 1 'error [-]' at screen 0.012, screen 1 - (upper + 87) / tall center rotate } else { unset label 1 }
   plot $panels using ($1 == k ? $2 : NaN):5:6 with labels left offset 0, 0.8 font ',14' noenhanced notitle, \
        $names using ($1 == k ? $2 : NaN):3:($4 - $2):($5 - $3) with vectors nohead lc rgb '#b0b0b0' lw 0.7 notitle, \
        $fronts using ($1 == k ? $2 : NaN):3 with linespoints lw 1.8 pt 7 ps 0.35 lc rgb '#0072b2' title 'least error of all methods', \
        $stars using ($1 == k ? $2 : NaN):3 with points pt 3 ps 1.3 lw 1.4 lc rgb '#a33b00' title 'pece at 0.1 ms, as in the paper', \
-       $names using ($1 == k ? $4 : NaN):5:6 with labels left font ',11' noenhanced tc rgb '#303030' notitle
+       $names using ($1 == k ? $4 : NaN):5:6 with labels left font ',12' noenhanced tc rgb '#303030' notitle
 }
 unset multiplot

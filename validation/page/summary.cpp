@@ -182,12 +182,12 @@ std::string beyond_hertz(const std::vector<RunRecord>& runs) {
     const WatchedFact* overlap = watch_of(run, "overlap");
     if (overlap == nullptr || overlap->worst <= overlap->warns_above) continue;
     small = overlap->warns_above;
-    overlaps += (overlaps.empty() ? "" : ", ") + shown(overlap->worst) + " R";
+    overlaps += (overlaps.empty() ? "" : ", ") + shown(overlap->worst);
     scenes += (scenes.empty() ? "" : ", ") + scene_words(run.name);
   }
   if (overlaps.empty()) return {};
-  return element("p", "Either way bodies overlap by up to " + overlaps + " (" + scenes +
-                          "); Hertz's law is for small overlaps, here up to " + shown(small) + " R.");
+  return element("p", "Either way overlaps reach " + overlaps + " R (" + scenes +
+                          "); Hertz's law is for small ones, here up to " + shown(small) + " R.");
 }
 
 std::string summary(const std::vector<RunRecord>& runs, const Evidence& evidence,

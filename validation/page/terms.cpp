@@ -96,9 +96,9 @@ class Linker {
     at_ = end;
   }
 
-  // "scene 2, discs" is a reading of the mass, "settled discs" are not.
+  // "scene 2, discs" is a reading of the mass, "settled discs" and "glass spheres" are not.
   bool stands_for_itself(const std::string& name) const {
-    return name != "discs" || (at_ >= 2 && html_.compare(at_ - 2, 2, ", ") == 0);
+    return (name != "discs" && name != "spheres") || (at_ >= 2 && html_.compare(at_ - 2, 2, ", ") == 0);
   }
 
   const std::string& html_;

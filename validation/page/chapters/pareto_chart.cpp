@@ -35,7 +35,7 @@ std::vector<Reached> front_of(const Found& f) {
 }
 
 // Panels of pareto.gp, in its pixels.
-constexpr double wide = 350, high = 175, letter = 6.1, line = 13;
+constexpr double wide = 350, high = 175, letter = 6.6, line = 14;
 
 // What a panel shows, in logarithms of ten: from the cheapest and least error on, with room for names above and behind.
 struct Panel {
@@ -54,34 +54,40 @@ Panel panel_of(const std::vector<Reached>& front, const WorkPrecisionPoint* pape
   };
   for (const Reached& r : front) take(r.cpu, r.error);
   if (paper) take(paper->cpu, papers_error);
-  return {p.left - 0.1, p.right + 0.6 * (p.right - p.left) + 0.1, p.low - 0.2, p.top + 0.35 * (p.top - p.low) + 0.3};
+  return {p.left - 0.1, p.right + 0.75 * (p.right - p.left) + 0.1, p.low - 0.2, p.top + 0.35 * (p.top - p.low) + 0.3};
+}
+
+// In pixels of a panel.
+struct Box {
+  double left, right, low, top;
+  bool meets(const Box& o) const { return left < o.right && o.left < right && low < o.top && o.low < top; }
+};
+
+Box around(double x, double y) { return {x - 8, x + 8, y - 8, y + 8}; }
+
+// A place for a name above a point and to its right, the nearest that is within the panel and free.
+Box place_of(const std::string& name, double x, double y, const std::vector<Box>& taken) {
+  const double length = letter * static_cast<double>(name.size());
+  Box box{};
+  for (double right = 7; x + right + length < wide; right += 10) {
+    for (double up = 3; y + up + line < high; up += 2) {
+      box = {x + right, x + right + length, y + up, y + up + line};
+      if (std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); })) return box;
+    }
+  }
+  return {x + 7, x + 7 + length, y + 3, y + 3 + line};  // nowhere is free
 }
 
 // Each method by name once, at its first point of the front: point and place of the name, which meets no other.
-Json names_on(const std::vector<Reached>& front, const Panel& panel, std::size_t k) {
-  struct Box {
-    double left, right, low, top;
-  };
-  std::vector<Box> taken;
+Json names_on(const std::vector<Reached>& front, const Panel& panel, std::size_t k, std::vector<Box> taken) {
   std::vector<std::string> named;
   Json rows = Json::array();
   for (const Reached& r : front) {
     if (std::find(named.begin(), named.end(), r.method) != named.end()) continue;
     named.push_back(r.method);
-    const double x = panel.x(r.cpu) + 7;
-    const double beside = std::clamp(panel.y(r.error) + 9, line / 2, high - line / 2);
-    double y = beside;
-    const auto meets = [&](const Box& b) {
-      return x < b.right && b.left < x + letter * static_cast<double>(r.method.size()) && y - line / 2 < b.top &&
-             b.low < y + line / 2;
-    };
-    const auto fits = [&] {
-      return y >= line / 2 && y <= high - line / 2 && std::none_of(taken.begin(), taken.end(), meets);
-    };
-    // In turn above and below, ever farther, within the panel.
-    for (int tried = 1; !fits() && tried < high; ++tried) y = beside + (tried % 2 == 1 ? 1 : -1) * (tried + 1) / 2 * 2;
-    taken.push_back({x, x + letter * static_cast<double>(r.method.size()), y - line / 2, y + line / 2});
-    rows.push_back({k, r.cpu, r.error, panel.cost(x), panel.error(y), r.method});
+    taken.push_back(place_of(r.method, panel.x(r.cpu), panel.y(r.error), taken));
+    rows.push_back(
+        {k, r.cpu, r.error, panel.cost(taken.back().left), panel.error(taken.back().low + line / 2), r.method});
   }
   return rows;
 }
@@ -100,7 +106,9 @@ void add_summary(Report& report, const std::vector<Found>& all) {
     panels.push_back({k, std::pow(10, panel.left), std::pow(10, panel.right), std::pow(10, panel.low),
                       std::pow(10, panel.top), title});
     for (const Reached& r : front) fronts.push_back({k, r.cpu, r.error, r.method});
-    for (const Json& row : names_on(front, panel, k)) names.push_back(row);
+    std::vector<Box> star;
+    if (paper) star = {around(panel.x(paper->cpu), panel.y(error))};
+    for (const Json& row : names_on(front, panel, k, star)) names.push_back(row);
     if (paper) stars.push_back({k, paper->cpu, error});
     said += (said.empty() ? "" : ", ") + title;
   }

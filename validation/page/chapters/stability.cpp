@@ -13,7 +13,9 @@ Moment moment_of(const verification::StandingScene& s) {
   if (!s.of_the_paper()) return moment;
   for (const std::string when : {", start", ", plate at the lattice"})  // as the kept numbers name them
     if (s.name.ends_with(when)) moment.scene = s.name.substr(0, s.name.size() - when.size()) + ", discs";
-  moment.when = s.t > 0 ? "as the plate meets the lattice" : "as the plate starts";
+  moment.when = s.t <= 0              ? "as the plate starts"
+                : s.name == "scene 1" ? "as the plate meets the lattice"
+                                      : "as the plate is where the paper has it meet the lattice";
   moment.label = moment.scene + ", " + number(s.t) + " s";
   return moment;
 }

@@ -82,8 +82,8 @@ bool outside(const AtlasEntry& e, const OperatingPoint& point) {
 std::string moments(const std::vector<StandingScene>& scenes) {
   std::string text;
   for (const StandingScene& s : scenes)
-    text += (text.empty() ? " Each is marked when its parts first act on each other: " : "; ") + moment_of(s).label +
-            ": " + moment_of(s).when;
+    text += (text.empty() ? " Each is marked at the moment that sets it apart from the others: " : "; ") +
+            moment_of(s).label + ": " + moment_of(s).when;
   return text + ".";
 }
 

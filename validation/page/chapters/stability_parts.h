@@ -7,7 +7,7 @@
 
 namespace furrow::validation {
 
-// Where a scene stands: at its start, or as the plate meets the lattice.
+// Where a scene stands: at its start, or as the plate is at the lattice.
 struct Moment {
   std::string scene;  // "scene 3, discs"
   std::string when;   // "as the plate starts"
