@@ -55,9 +55,10 @@ TEST(Terms, AreLinkedWhereTheyAreFirstUsed) {
 }
 
 TEST(Terms, AreNoPartsOfWordsAndNoneInHeadingsLinksAndDrawings) {
-  for (const std::string same : {"<h3>pece</h3>", "<a href=\"#x\">pece</a>", "<svg><text>pece</text></svg>",
-                                 "<p title=\"pece\">x</p>", "<thead><tr><th>pece</th></tr></thead>",
-                                 "<p>pece_more, a_pece, pece2, 1+tan, settled discs, glass spheres</p>", "<p>1 &lt; 2 <"})
+  for (const std::string same :
+       {"<h3>pece</h3>", "<a href=\"#x\">pece</a>", "<svg><text>pece</text></svg>", "<p title=\"pece\">x</p>",
+        "<thead><tr><th>pece</th></tr></thead>", "<p>pece_more, a_pece, pece2, 1+tan, settled discs, glass spheres</p>",
+        "<p>1 &lt; 2 <"})
     EXPECT_EQ(with_terms(same), same);
   EXPECT_TRUE(has(with_terms("<p>Scene 2, discs: 1</p>"), "Scene 2, <a class=\"term\" href=\"#term_reading\""));
 }
