@@ -9,15 +9,12 @@ namespace furrow::test {
 
 // `time` and `plate`: further lines of these tables; samples are due every 0.02 s.
 inline Scene plate_beside_disc(const std::string& time, const std::string& plate = "", const std::string& output = "") {
-  return parse_scene("title = \"a plate beside a disc\"\n[time]\nstep = 1e-3\n" + time + R"(
-[[material]]
-name = "soft"
-young = 2e5
-poisson = 0.3
-[[disc]]
-position = [-1.0, 1.0]
-radius = 0.1
-material = "soft"
+  return parse_scene(R"(title = "a plate beside a disc"
+material = [{ name = "soft", young = 2e5, poisson = 0.3 }]
+disc = [{ position = [-1.0, 1.0], radius = 0.1, material = "soft" }]
+[time]
+step = 1e-3
+)" + time + R"(
 [[plate]]
 left_edge = 0.0
 lower_edge = 0.0

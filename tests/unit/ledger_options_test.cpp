@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "run/observe.h"
 #include "scenes.h"
@@ -19,7 +20,7 @@ using namespace test;
 
 struct Option {
   const char* name;
-  void (*choose)(Scene&);
+  std::function<void(Scene&)> choose;
 };
 
 void PrintTo(const Option& option, std::ostream* out) { *out << option.name; }
@@ -57,6 +58,12 @@ Scene pressed_lattice() {
 }
 
 const std::vector<Option>& of_contacts() {
+  const auto damped_by = [](auto set) {
+    return [set](Scene& s) {
+      s.contact.damping_factor.reset();
+      set(s.contact);
+    };
+  };
   static const std::vector<Option> all{
       {"Hertz-Mindlin", [](Scene&) {}},
       {"rescaled Mindlin", [](Scene& s) { s.model.law = ForceLaw::rescaled_mindlin; }},
@@ -66,27 +73,11 @@ const std::vector<Option>& of_contacts() {
          s.contact.normal_stiffness = 2e4;
          s.contact.tangential_stiffness = 1e4;
        }},
-      {"restitution",
-       [](Scene& s) {
-         s.contact.damping_factor.reset();
-         s.contact.restitution = 0.7;
-       }},
-      {"Tsuji's alpha",
-       [](Scene& s) {
-         s.contact.damping_factor.reset();
-         s.contact.tsuji_alpha = 0.3;
-       }},
-      {"a dashpot",
-       [](Scene& s) {
-         s.contact.damping_factor.reset();
-         s.contact.damping = 40;
-       }},
+      {"restitution", damped_by([](auto& contact) { contact.restitution = 0.7; })},
+      {"Tsuji's alpha", damped_by([](auto& contact) { contact.tsuji_alpha = 0.3; })},
+      {"a dashpot", damped_by([](auto& contact) { contact.damping = 40; })},
       {"a dashpot, another along the tangent",
-       [](Scene& s) {
-         s.contact.damping_factor.reset();
-         s.contact.damping = 40;
-         s.contact.tangential_damping = 15;
-       }},
+       damped_by([](auto& contact) { contact.damping = 40, contact.tangential_damping = 15; })},
       {"no damping along the tangent", [](Scene& s) { s.model.slip_damping = false; }},
       {"less viscous after slip", [](Scene& s) { s.model.after_slip = AfterSlip::less_viscous; }},
       {"arm to half the overlap", [](Scene& s) { s.model.moment_arm = MomentArm::half_overlap; }},
