@@ -138,8 +138,8 @@ TEST_F(Terminal, SettlingSaysWhatItWaitsFor) {
   int code = -1;
   const std::string text = shown("run " + scene("scenario_2") + " --until 0.001 --out here", code);
   ASSERT_EQ(code, 0) << text;
-  const std::regex waits("settling \\[#*\\.*\\]  ?[0-9.]+ s of the model, fastest [0-9.]+ mm/s, waits for 5 mm/s");
-  EXPECT_TRUE(std::regex_search(text, waits)) << text;
+  const std::regex words("settling \\[#*\\.*\\]  ?[0-9.]+ s of the model, fastest [0-9.]+ mm/s, waits for 5 mm/s");
+  EXPECT_TRUE(std::regex_search(text, words)) << text;
 }
 
 TEST_F(Terminal, AFileGetsNoBar) {
