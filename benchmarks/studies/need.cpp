@@ -6,9 +6,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <tuple>
 
+#include "benchmarks/measuring/samples.h"
 #include "benchmarks/studies/measured_run.h"
 #include "methods/method.h"
+#include "output/machine.h"
 
 namespace furrow::benchmarks {
 namespace {
@@ -23,15 +26,42 @@ Scene changed(const Subject& subject, const Term* term, int packing) {
 }
 
 struct Run {
-  double cpu = 0;                 // s
   std::array<double, 6> value{};  // by observable
   Outcome outcome;
 };
 
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+// A scene that has settled, to be run again and again.
+struct Ready {
+  Case made;
+  Effort effort;
+  Vec2 velocity{};         // m/s, of the plate, if there is one
+  std::size_t frames = 0;  // in each of which the contacts are listed
+};
+
+Ready ready(const Subject& subject, const Term* term, int packing) {
+  const Scene scene = changed(subject, term, packing);
+  Prepared p = prepare(scene);
+  return {{std::move(p.system), std::move(p.y), subject.span},
+          {.method = subject.method, .step = subject.step, .most_evaluations = 100'000'000},
+          scene.plate.empty() ? Vec2{} : scene.plate[0].velocity,
+          scene.output.frames.size()};
+}
+
+// s: the list of contacts as a frame makes it, of the start; its text is not counted.
+double cpu_of_lists(const Ready& one) {
+  const double begun = cpu_seconds();
+  for (std::size_t k = 0; k < one.frames; ++k) {
+    std::vector<Contact> list;
+    one.made.system.for_each_contact(one.made.span.start, one.made.y, [&](const Contact& c) { list.push_back(c); });
+  }
+  return cpu_seconds() - begun;
+}
+
+Outcome once(const Ready& one) {
+  Outcome outcome = run_case(one.made, one.effort);
+  if (!outcome.failure.empty()) throw Divergence(outcome.failure);
+  outcome.cpu += cpu_of_lists(one);
+  return outcome;
 }
 
 // `curve` and `place`: the units of their errors.
@@ -50,24 +80,29 @@ std::array<double, 6> values_of(const Outcome& outcome, double plate_work) {
   return value;
 }
 
-Run run_of(const Subject& subject, const Term* term, int packing) {
-  const Scene scene = changed(subject, term, packing);
-  Prepared p = prepare(scene);
-  const Case made{std::move(p.system), std::move(p.y), subject.span};
-  const Effort effort{.method = subject.method, .step = subject.step, .most_evaluations = 100'000'000};
-  std::vector<double> cpu;
-  Outcome outcome;
-  for (double spent = 0; cpu.empty() || (spent < 0.3 && cpu.size() < 5); spent += cpu.back()) {
-    outcome = run_case(made, effort);
-    cpu.push_back(outcome.cpu);
-  }
-  if (!outcome.failure.empty()) throw Divergence(outcome.failure);
-  std::sort(cpu.begin(), cpu.end());
+Run run_of(const Ready& one) {
+  Outcome outcome = once(one);
   double work = 0;
-  for (std::size_t k = 0; k + 1 < outcome.force.size() && !scene.plate.empty(); k += 2)
-    work -= subject.span.interval *
-            (outcome.force[k] * scene.plate[0].velocity.x + outcome.force[k + 1] * scene.plate[0].velocity.y);
-  return {cpu[cpu.size() / 2], values_of(outcome, work), outcome};
+  for (std::size_t k = 0; k + 1 < outcome.force.size(); k += 2)
+    work -= one.made.span.interval * (outcome.force[k] * one.velocity.x + outcome.force[k + 1] * one.velocity.y);
+  return {values_of(outcome, work), std::move(outcome)};
+}
+
+// The CPU time of one over that of the other. A busy machine slows a run by half and more, and for seconds: so both run
+// side by side, in turn the one and the other first, and what is kept is the ratio of each pair.
+Json cost_ratios(const Ready& without, const Ready& whole, int pairs) {
+  Json all = Json::array();
+  for (int k = 0; k < pairs; ++k) {
+    const double first = once(k % 2 == 0 ? without : whole).cpu, second = once(k % 2 == 0 ? whole : without).cpu;
+    all.push_back(rounded(k % 2 == 0 ? first / second : second / first));
+  }
+  return {{"ratios", all}};
+}
+
+// Of one packing: so that there are enough for an interval that holds the median in 95 of 100 cases, see samples.h.
+int pairs_of(const Subject& subject, bool quick) {
+  constexpr int enough = 6;
+  return quick ? 1 : (enough + subject.packings - 1) / subject.packings;
 }
 
 // Fractions of the base run's; of links torn the number. NaN where there is nothing to compare.
@@ -81,29 +116,39 @@ std::array<double, 6> effect(const Run& run, const Run& base) {
   return e;
 }
 
-// The runs of the whole model, each made once, when something is first compared with it.
-class Whole {
+struct Both {
+  Ready ready;
+  Run run;
+};
+
+// Settled and run once, when first asked for. A term of none: the whole model.
+class Runs {
  public:
-  const Run& of(const Subject& subject, int packing) {
+  const Both& of(const Subject& subject, const Term* term, int packing) {
     One* one = nullptr;
     {
       const std::scoped_lock lock(mutex_);
-      std::unique_ptr<One>& place = runs_[{subject.name, packing}];
+      std::unique_ptr<One>& place = runs_[{subject.name, term ? term->name : "", packing}];
       if (!place) place = std::make_unique<One>();
       one = place.get();
     }
     const std::scoped_lock lock(one->mutex);
-    if (!one->run) one->run = run_of(subject, nullptr, packing);
-    return *one->run;
+    if (!one->both) {
+      Ready settled = ready(subject, term, packing);
+      Run run = run_of(settled);
+      one->both.emplace(Both{std::move(settled), std::move(run)});
+    }
+    return *one->both;
   }
+  const Both& whole(const Subject& subject, int packing) { return of(subject, nullptr, packing); }
 
  private:
   struct One {
     std::mutex mutex;
-    std::optional<Run> run;
+    std::optional<Both> both;
   };
   std::mutex mutex_;
-  std::map<std::pair<std::string, int>, std::unique_ptr<One>> runs_;
+  std::map<std::tuple<std::string, std::string, int>, std::unique_ptr<One>> runs_;
 };
 
 Json json_of(const std::array<double, 6>& values) {
@@ -118,11 +163,11 @@ Json compared(const Run& run, const Run& whole) {
           {"same", run.outcome.place == whole.outcome.place && run.outcome.force == whole.outcome.force}};
 }
 
-Json between_packings(const Subject& subject, Whole& whole) {
+Json between_packings(const Subject& subject, Runs& runs) {
   Json effects = Json::array();
   for (int i = 0; i < subject.packings; ++i) {
     for (int j = 0; j < i; ++j)
-      effects.push_back(to_digits(effect(whole.of(subject, i), whole.of(subject, j))[curve], digits));
+      effects.push_back(to_digits(effect(runs.whole(subject, i).run, runs.whole(subject, j).run)[curve], digits));
   }
   return effects;
 }
@@ -149,42 +194,34 @@ std::vector<Term> terms_of(const Subject& subject) {
   return all;
 }
 
-// What is compared and what it cost come from one run: the cost is asked for first, so that a result that is kept of one
-// and old of the other is made of both again.
+// What is compared and what it cost are of one settled scene: the cost is asked for first, so that a result that is kept
+// of one and old of the other is made of both again.
 void measure_need(Measurement& measurement) {
-  Whole whole;
+  Runs runs;
   std::vector<Task> times, numbers;
-  std::map<std::string, Run> made;
-  std::mutex mutex;
-  const auto run_once = [&](const Subject& subject, const Term& term, int packing) -> const Run& {
-    const std::string key = without_key(subject, term, packing);
-    {
-      const std::scoped_lock lock(mutex);
-      if (const auto found = made.find(key); found != made.end()) return found->second;
-    }
-    Run run = run_of(subject, &term, packing);
-    const std::scoped_lock lock(mutex);
-    return made.emplace(key, std::move(run)).first->second;
-  };
   const std::vector<Subject> all = subjects(measurement.quick());
   for (const Subject& subject : all) {
     const std::string input = hash_of_scene(subject.scene());
     for (int k = 0; k < subject.packings; ++k) {
       numbers.push_back({whole_key(subject, k),
-                         [&whole, &subject, k] {
-                           return Json{{"values", json_of(whole.of(subject, k).value)}};
+                         [&runs, &subject, k] {
+                           return Json{{"values", json_of(runs.whole(subject, k).run.value)}};
                          },
                          input});
       for (const Term& term : terms_of(subject)) {
         times.push_back({cost_key(subject, term, k),
-                         [&, term, k] { return Json(run_once(subject, term, k).cpu / whole.of(subject, k).cpu); },
+                         [&, term, k] {
+                           return cost_ratios(runs.of(subject, &term, k).ready, runs.whole(subject, k).ready,
+                                              pairs_of(subject, measurement.quick()));
+                         },
                          input, true});
-        numbers.push_back({without_key(subject, term, k),
-                           [&, term, k] { return compared(run_once(subject, term, k), whole.of(subject, k)); }, input});
+        numbers.push_back(
+            {without_key(subject, term, k),
+             [&, term, k] { return compared(runs.of(subject, &term, k).run, runs.whole(subject, k).run); }, input});
       }
     }
     if (subject.packings > 1)
-      numbers.push_back({between_key(subject), [&] { return between_packings(subject, whole); }, input});
+      numbers.push_back({between_key(subject), [&] { return between_packings(subject, runs); }, input});
   }
   measurement.run(times);
   measurement.run(numbers);

@@ -19,7 +19,7 @@ std::string whole_key(const Subject& subject, int packing);
 // is a fraction of the whole model's, of links torn the number; null where there is nothing to compare.
 std::string without_key(const Subject& subject, const Term& term, int packing);
 
-// Of the CPU time of the run without the term over that of the whole model's.
+// Of {"ratios": the CPU time of the run without the term over that of the whole model's, pair by pair}.
 std::string cost_key(const Subject& subject, const Term& term, int packing);
 
 // Of the effects on the force curve of one packing in the place of another, for all pairs.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "system/parts.h"
+#include "benchmarks/studies/need_lattice_terms.h"
 
 namespace furrow::benchmarks {
 namespace {
@@ -39,25 +39,40 @@ double radius_of(const Scene& scene) {
                                : scene.lattice[0].contact_radius;
 }
 
-// Springs as stiff as Hertz's are between two of these that overlap by a tenth of a radius.
+// Of two of these that overlap by a tenth of a radius.
+struct TypicalContact {
+  ContactLaw law;
+  double width, mass;  // m, kg: sqrt(R* d), m*
+};
+
+TypicalContact typical_contact(const Scene& scene) {
+  const System system = unsettled(scene);
+  const Parts& parts = system.parts();
+  return {parts.law[0], std::sqrt(radius_of(scene) / 2 * 0.1 * radius_of(scene)),
+          (parts.disc.count() > 0 ? parts.disc.mass[0] : parts.node.mass[0]) / 2};
+}
+
+// Springs as stiff as Hertz's are there.
 void make_linear(Scene& scene) {
-  Scene without_plates = scene;  // of a plate it is not known yet how deep it stands in the bed
-  without_plates.plate.clear();
-  const ContactLaw law = make_parts(without_plates).law[0];
-  const double width = std::sqrt(radius_of(scene) / 2 * 0.1 * radius_of(scene));  // m, of the contact
+  const TypicalContact c = typical_contact(scene);
   scene.model.law = ForceLaw::linear;
-  scene.contact.normal_stiffness = 2 * law.modulus * width;
-  scene.contact.tangential_stiffness = 8 * law.shear_modulus * width;
+  scene.contact.normal_stiffness = 2 * c.law.modulus * c.width;
+  scene.contact.tangential_stiffness = 8 * c.law.shear_modulus * c.width;
+}
+
+// A damper as strong as that of the damping factor is there.
+void make_dashpot(Scene& scene) {
+  const TypicalContact c = typical_contact(scene);
+  scene.contact.damping_factor.reset();
+  scene.contact.damping = c.law.viscosity * std::sqrt(2 * c.law.modulus * c.width * c.mass);
 }
 
 std::function<Scene()> scene_of_case(const std::string& name) {
   return std::find_if(cases().begin(), cases().end(), [&](const CaseInfo& c) { return c.name == name; })->scene;
 }
 
-}  // namespace
-
-const std::vector<Term>& terms() {
-  static const std::vector<Term> all{
+std::vector<Term> every_term() {
+  std::vector<Term> all{
       {"friction, and with it spins and tangential springs",
        [](const Scene& s) { return s.contact.friction > 0 || s.contact.rolling_friction > 0; },
        [](Scene& s) { s.contact.friction = s.contact.rolling_friction = 0; }},
@@ -102,6 +117,11 @@ const std::vector<Term>& terms() {
       {"moment arm to the contact point (the whole radius instead)",
        [](const Scene& s) { return rubs(s) && has_discs(s); },
        [](Scene& s) { s.model.moment_arm = MomentArm::radius; }},
+      {"moment arm to the contact point (half the overlap short of the surface instead)",
+       [](const Scene& s) { return rubs(s) && has_discs(s); },
+       [](Scene& s) { s.model.moment_arm = MomentArm::half_overlap; }},
+      {"damping that grows with the overlap (a dashpot in N s/m instead)",
+       [](const Scene& s) { return s.contact.damping_factor.value_or(0) > 0; }, make_dashpot},
       {"rolling friction that fades with the spin (a rolling spring instead)",
        [](const Scene& s) { return has_discs(s) && s.contact.rolling_friction > 0; },
        [](Scene& s) { s.model.rolling = Rolling::spring; }},
@@ -114,8 +134,19 @@ const std::vector<Term>& terms() {
        }},
       {"gravity", [](const Scene& s) { return !has_bed(s) && s.model.gravity > 0; },
        [](Scene& s) { s.model.gravity = 0; }},
+      {"list of the contacts in each frame", [](const Scene& s) { return !s.output.frames.empty(); },
+       [](Scene& s) { s.output.frames.clear(); }},
       {"energy ledger", [](const Scene& s) { return s.output.energy; }, [](Scene& s) { s.output.energy = false; }},
   };
+  const std::vector<Term> of_lattices = lattice_terms();
+  all.insert(all.end() - 2, of_lattices.begin(), of_lattices.end());
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Term>& terms() {
+  static const std::vector<Term> all = every_term();
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "tests/expected_to_fail/expected_to_fail.h"
+#include "tests/unit/ledger_scenes.h"
 #include "tests/unit/watched_run.h"
 
 namespace furrow::test {
@@ -54,6 +55,18 @@ TEST_F(ExpectedToFail, ADiscThatRollsOnALatticeTurnsItToo) {
   }
   EXPECT_RIGHT(std::fabs(torque) < 1e-12 * largest)
       << "angular momentum is kept; it changes by " << torque << " N m, of moments of up to " << largest << " N m";
+}
+
+// A contact that begins by sliding gets the spring xi = (mu Fn - Ct vt)/St, without a bound where St grows from nothing. What
+// the growing stiffness gives such a spring goes like 1/d as the overlap d begins, so no step is fine enough for its sum.
+TEST_F(ExpectedToFail, TheLedgerClosesWhereASpringHoldsLessAfterSlip) {
+  mended_in("src/physics/damping.h");
+  Scene scene = thrown();
+  scene.model.after_slip = AfterSlip::less_viscous;
+  const Left coarse = left_over(scene, "pece", 0x1p-12, 0.5), fine = left_over(scene, "pece", 0x1p-17, 0.5);
+  EXPECT_RIGHT(std::fabs(fine.residual) < 0.1 * std::fabs(coarse.residual))
+      << "of first order at least it would fall to 1/32 of " << coarse.residual << " J; it is " << fine.residual
+      << " J";
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ std::string row_of(const WrongEngine& wrong, const std::vector<std::string>& qui
   return row;
 }
 
-// Wrong engines, 22 of them, by the cases that find one each: none has an empty row. Prints the matrix, and writes it to the
+// Wrong engines by the cases that find one each: none has an empty row. Prints the matrix, and writes it to the
 // file that FURROW_MATRIX names.
 TEST(Engines, TheMatrixOfWrongOnesByQuickCasesHasNoEmptyRow) {
   if (std::getenv("FURROW_LONG") == nullptr) GTEST_SKIP() << "takes six minutes: FURROW_LONG=1 runs it, as every night";

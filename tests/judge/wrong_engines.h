@@ -97,6 +97,11 @@ inline Edit without_springs(const char* kind) {
     c["spring"] = left;
   };
 }
+inline void diagonals_too_stiff(Json& c) {
+  for (Json& spring : c["spring"]) {
+    if (spring["kind"] == "shear") spring["stiffness"] = spring["stiffness"].get<double>() * 1.01;
+  }
+}
 inline void spheres_for_discs(Json& c) {
   for (Json& body : c["body"])
     body["inertia"] = 0.4 * body["mass"].get<double>() * std::pow(body["radius"].get<double>(), 2);
@@ -138,6 +143,7 @@ inline std::vector<WrongEngine> wrong_engines() {
       with_another_case("springs one per mille too long", "spring", scale("spring", "length", 1.001)),
       with_another_case("no bending springs", "cantilever", without_springs("bending")),
       with_another_case("no diagonal springs", "own_strength", without_springs("shear")),
+      with_another_case("diagonal springs one per cent too stiff", "lattice_dispersion", diagonals_too_stiff),
       with_another_case("bending springs as strong as structural ones", "own_strength", bending_as_strong),
       with_another_case("a bed without friction", "bed_pushed_far", set_contact("friction", 0.0)),
       with_another_case("no damping along springs", "damped_spring", scale("spring", "damping", 0)),
