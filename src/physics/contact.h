@@ -11,16 +11,27 @@
 //   Fv = 2 sqrt(5/6) beta sqrt(Sn m*) d'
 //   Fn = max(0, Fe + Fv)                            without the max if the contact may pull
 //   St = 8 G* sqrt(R* d)
+//   xi' = vt                                        while the two touch; |xi| is limited after each step (damping.h)
 //   Ft = -St xi - 2 sqrt(5/6) beta sqrt(St m*) vt,  |Ft| <= mu max(0, Fn)
 //   M  = -mu_r R* max(0, Fn) w / sqrt(w^2 + w0^2)
 //
 //   E, nu, G = E/(2 (1 + nu))   Young's modulus (Pa), Poisson's ratio (-), shear modulus (Pa) of a material
 //   R, m                        radius (m) and mass (kg) of a body
-//   d >= 0, d'                  overlap (m; 0 by rounding, between discs) and approach speed (m/s)
+//   d >= 0, d'                  overlap (m; may round to 0 for two discs that just touch), approach speed (m/s)
 //   xi, vt                      tangential displacement (m) and slip speed (m/s)
 //   w = omega_i - omega_j       relative spin (rad/s); what is no disc has none (system/contact.h)
-//   w0                          rolling_smoothing (rad/s), above 0: the moment holds nothing still
-//   beta, mu, mu_r              damping factor, friction and rolling friction of a pair of materials (-)
+//   w0                          rolling_smoothing (rad/s), above 0. No static resistance: a disc creeps
+//   beta, mu, mu_r              damping factor, friction and rolling friction of a pair of materials (-); static and
+//                               kinetic friction have the same mu
+//
+// Signs. n points from body i to body j, t = (-ny, nx) is the tangent, v = v_i - v_j the relative velocity at the contact
+// without spins (m/s), arm the moment arm (m). Spins, torques and rolling angles are positive counter-clockwise.
+//
+//   d'           = v . n
+//   vt           = v . t + arm_i omega_i + arm_j omega_j
+//   force on i   = -Fn n + Ft t                     N, on j the opposite
+//   torque on i  = arm_i Ft + M                     N m
+//   torque on j  = arm_j Ft - M                     N m
 //
 // Spheres touch by this law; discs of a given depth do so too, for the paper gives discs the law of spheres. R* serves
 // as the rolling radius too. Which radius, mass, moment arm and normal each kind of contact has: system/contact.h. The
@@ -29,7 +40,8 @@
 // Sources: Hertz 1882; Mindlin 1949; normal damping after Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239),
 // both dampers in the form of Di Renzo and Di Maio 2004 (Chem. Eng. Sci. 59, 525); the rolling moment is the paper's
 // (README.md), with its sign function smoothed over w0. Valid for small overlap against the radius; the soil of the
-// paper is so soft that d reaches 1.6 R, where this is a penalty law.
+// paper is so soft that d reaches 1.6 R, where this is a penalty law. The moment arm on a flat, R - d, is negative from
+// d = R on: there the spin enters vt, and Ft the torque, with the opposite sign.
 #pragma once
 
 #include <cmath>
@@ -45,12 +57,14 @@ struct Elastic {
   bool rigid = false;  // its terms in 1/E* and 1/G* are zero
 };
 
-// Constants of a pair of materials, of which one at most is rigid: of two E* would be infinite (scenes refuse them).
+// Constants of a pair of materials. Two rigid ones have an infinite E*: scenes refuse them where they can meet, except by
+// the linear law, which needs no modulus. shear_ratio is sqrt(St/Sn) = 2 sqrt(G*/E*), of the linear law sqrt(kt/kn); 0
+// without damping of slip (model.slip_damping = false).
 struct ContactLaw {
   double modulus = 0;        // Pa, E*
   double shear_modulus = 0;  // Pa, G*
-  double viscosity = 0;      // -, 2 sqrt(5/6) beta
-  double shear_ratio = 0;    // -, sqrt(St/Sn) = 2 sqrt(G*/E*)
+  double viscosity = 0;      // -, 2 sqrt(5/6) beta; 2 beta of the linear law
+  double shear_ratio = 0;    // -, Ct/Cn, of what beta gives of both
   double friction = 0;       // -, mu
   double rolling = 0;        // -, mu_r
   double floor = 0;          // N, least normal force: 0, or -infinity if the contact may pull
@@ -81,12 +95,12 @@ struct Touch {
   double overlap;         // m, d >= 0
   double approach;        // m/s, d'
   double slip;            // m/s, vt: of the two surfaces at the contact, spin included
-  double spring;          // m, xi
-  double spin;            // rad/s, omega_i - omega_j
+  double spring;          // m, xi: displacement of the tangential spring
+  double spin;            // rad/s, w = omega_i - omega_j
   double reduced_radius;  // m, R*
   double reduced_mass;    // kg, m*
   // Of a rolling spring alone, see physics/rolling_spring.h:
-  double turn = 0;             // rad, theta
+  double turn = 0;             // rad, theta: displacement of the rolling spring
   double rolling_inertia = 0;  // kg m^2, Ir
 };
 
@@ -96,8 +110,8 @@ struct TouchForce {
   double tangential;       // N, Ft on body i, along the tangent
   double moment;           // N m, M on body i
   double stiffness;        // N/m, Sn
-  double shear_stiffness;  // N/m, St
-  double shear_viscosity;  // N s/m, factor of vt in Ft
+  double shear_stiffness;  // N/m, St: tangential stiffness
+  double shear_viscosity;  // N s/m, Ct: factor of vt in Ft
 };
 
 // How stiff the contact is, and its elastic force.
@@ -141,7 +155,12 @@ struct TouchForce {
   return capped < -limit ? -limit : capped;
 }
 
-// N m, on body i.
+// N m, on body i. It holds no disc at rest on a slope. With slope angle alpha, Fn = m g cos(alpha) and
+// q = arm tan(alpha)/(mu_r R*), the moments arm m g sin(alpha) and |M| balance at
+//
+//   w = w0 q/sqrt(1 - q^2)    rad/s, for q < 1 and tan(alpha) <= mu: the disc rolls down steadily, with speed arm w
+//
+// From q = 1 on it accelerates.
 [[gnu::always_inline]] inline double rolling_moment(const ContactLaw& law, const Touch& c, double normal,
                                                     double rolling_smoothing) {
   const double pressed = normal > 0 ? normal : 0;
@@ -172,12 +191,15 @@ inline TouchForce hertz_mindlin(const ContactLaw& law, const Touch& c, double ro
 //
 // No force supplies the second term: it is booked as `stiffening`, negative while d shrinks. Rescaled and rolling springs
 // have terms of their own (rescaled_mindlin.h, rolling_spring.h).
+//
+// `sliding` may be negative between jumps: within a step |xi| passes its limit, and the spring stores more than -Ft vt. The
+// next jump books what it stores beyond the limit as heat. Signs of the ledger, and the balance: system/layout.h.
 struct TouchPowers {
-  double viscous;     // by the normal damper
-  double sticking;    // by the tangential damper, while the contact sticks
-  double sliding;     // by friction while it slides: -Ft vt without St xi vt, which the spring stores until a jump
-  double rolling;     // by rolling friction
-  double stiffening;  // given to the tangential spring
+  double viscous;     // W, lost by the normal damper
+  double sticking;    // W, lost by the tangential damper, while the contact sticks
+  double sliding;     // W, lost by friction while it slides: -Ft vt minus St xi vt, stored in the spring
+  double rolling;     // W, lost by rolling friction
+  double stiffening;  // W, supplied to the springs as their stiffness changes
 };
 
 [[gnu::always_inline]] inline TouchPowers touch_powers(const Touch& c, const TouchForce& f) {
@@ -189,7 +211,7 @@ struct TouchPowers {
           c.overlap > 0 ? rate : 0};  // two discs exactly at touch have none
 }
 
-// Their sums over contacts.
+// Their sums over contacts: viscous with sticking, friction of sliding.
 struct ContactPowers {
   double viscous = 0, friction = 0, rolling = 0, stiffening = 0;  // W
 
@@ -208,7 +230,8 @@ struct ContactPowers {
   }
 };
 
-// J, stored in the normal spring: the integral of Fe from 0 to d.
+// J, stored in the normal spring of Hertz: the integral of Fe (N) from 0 to d (m), from both. By law, and from d alone:
+// elastic_energy() of physics/impact.h.
 inline double elastic_energy(double elastic, double overlap) { return 0.4 * elastic * overlap; }
 
 }  // namespace furrow

@@ -65,7 +65,7 @@ inline TouchPowers contact_powers(const ContactLaw& law, const Touch& c, const T
 }
 
 struct SpringEnergies {
-  double tangential, rolling;  // J
+  double tangential, rolling;  // J, stored: 1/2 St xi^2 and 1/2 kr theta^2
 };
 
 inline SpringEnergies spring_energies(const ContactLaw& law, const Touch& c, const TouchForce& f) {
@@ -91,8 +91,8 @@ inline double stored_energy(const ContactLaw& law, const Touch& c, const TouchFo
   return normal_energy(law, c, f) + springs.tangential + springs.rolling;
 }
 
-// What the springs of a contact still hold as it opens, and lose: nothing where stiffnesses grow with the overlap, for at
-// d = 0 nothing is stiff, unless the rolling stiffness is given.
+// J: what the springs of a contact still hold as it opens, and then lose. Zero if the stiffness vanishes at d = 0; else
+// 1/2 k x^2, with k the stiffness and x the displacement, xi or theta.
 inline SpringEnergies energy_at_opening(const ContactLaw& law, double reduced_radius, double spring, double turn) {
   Touch c{};
   c.reduced_radius = reduced_radius;

@@ -8,14 +8,33 @@
 //   damping_factor  beta
 //   restitution     beta = -ln e / sqrt(ln^2 e + pi^2)                     exact if the contact may pull
 //   tsuji_alpha     beta = alpha / sqrt(5)                                 not for the linear law; Ct stays as above
-//   damping         cn, and ct, its own or the same; then beta = 0
+//   damping         cn, and ct (if not given: cn); then beta = 0
 //
-// After a step a spring that is stretched beyond its limit is shortened. There are two rules:
+// At touch, d = 0, Fn jumps from 0 to Cn d' where Cn does not vanish: with cn, and with beta of the linear law. Hertz's
+// Cn by beta grows from 0 like d^(1/4).
 //
-//   elastic        |xi| <= mu Fn/St                        whether the contact slides or its damper still holds it
+// After a step a spring beyond its limit is reset by one of two rules:
+//
+//   elastic        |xi| <= mu Fn/St                        even if spring plus damper are within the limit
 //   less_viscous   xi = -(Ft + Ct vt)/St,  |Ft| = mu Fn    where the contact slides: spring and damper together reach the
 //                                                          limit, as in LAMMPS; a spring that was never stretched stays
 //                                                          at zero
+//
+// The first shortens xi; the second can also lengthen or reverse it. A reset books 1/2 St (old xi^2 - new xi^2) as heat of
+// friction, which is negative where |xi| grows.
+//
+// Limit of less_viscous with stiffnesses that grow from nothing (Hertz-Mindlin, rescaled Mindlin): a contact that slides
+// from its first touch on, with vt > 0, gets xi = (mu Fn - Ct vt)/St. As d -> 0, by beta alone, Fn and Ct ~ d^(1/4) and
+// St ~ d^(1/2):
+//
+//   xi           ~ d^(-1/4)                        no bound
+//   St xi        ~ d^(1/4)                         the force has one
+//   1/2 St xi^2  ~ 1                               the energy has one
+//   1/2 St' xi^2 = 1/4 St xi^2 d'/d ~ 1/d          W: `stiffening`; friction_work loses as much
+//
+// From the first jump on, at d ~ h for a step h, both entries grow like log(1/h) with opposite signs. In the first steps d
+// changes by a share that does not depend on h, so the ledger closes no better at finer steps. With ct, which does not
+// vanish with d, the energy is ~ d^(-1/2) and has no bound either. By the linear law all stay bounded: kt is constant.
 //
 // Sources: Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239), whose normal viscous force is
 // alpha sqrt(m* K) d^(1/4) d' with Fe = K d^(3/2), and whose tangential damper is the normal one: alpha is theirs, Ct is

@@ -1,5 +1,5 @@
 // Nearest points and signed distances. (nx, ny) points from the disc or node to the other part, inside a rectangle away
-// from the nearest way out; a unit vector but in the corners of a held face (held_face.h).
+// from the nearest way out. Its length is 1; shorter only inside the rounded corners of a kept face (held_face.h).
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace furrow {
 
 struct Nearest {
   double distance;  // m, to the surface of the other part; negative inside it
-  double nx, ny;
+  double nx, ny;    // -, direction
 };
 
 struct Rectangle {
@@ -41,7 +41,7 @@ inline Nearest nearest_on_rectangle(Vec2 p, const Rectangle& r) {
 struct NearestOnSegment {
   double distance2;  // m^2
   double dx, dy;     // m, from the point to the nearest one
-  double share;      // 0 at a, 1 at b
+  double share;      // -, 0 at a, 1 at b
 };
 
 // -: where on the way from a to b, 0 to 1, the segment is nearest to p.

@@ -12,20 +12,29 @@
 //
 // min* and its first derivatives are continuous, so the force -Fn n is continuous: where a body slips round a corner, it
 // turns from one face to the other. Since n = -grad D everywhere, Fe n has a potential, and a closed way round a corner
-// returns its energy. For that n is shorter than 1 where min* is rounded: down to 3/7 sqrt(2) where two faces meet, and
-// to 0 midway between two neighbours of f no deeper than 7/12 of the depth behind f: there a contact overlaps but pushes
-// nowhere. Ft t is shortened alike; the spin's part of the slip is not. The corner point itself has no direction: there
-// n is that of f.
+// returns its energy. For that n is shorter than 1 where min* is rounded: down to 3/7 sqrt(2) where two faces meet. Ft t
+// is shortened alike; the spin's part of the slip is not. The corner point itself has no direction: there n is that of f.
+//
+// Limit: a contact can overlap and yet push nowhere. n = 0 midway between the two neighbours of f, b = c, where their depth
+// is at most 7/12 of the depth a behind f.
 //
 // The life of a held face, at each jump (system/held_faces.h):
 //
-//   birth      The body is closer than Parts::margin: it takes the nearest face, the one that it is least deep behind.
+//   birth      The body is closer than Parts::margin: it takes the nearest face, the one of least depth. Depths are signed:
+//              negative in front of a face.
 //   hand-over  It takes the nearest face as soon as that face gives the same D and the same n, to the last bit: beside
 //              an edge both do, so it can go round a corner and no force jumps. Right through the plate none do.
 //   end        It is further away than the margin, where there is no force.
 //
-// A body without a held face feels the nearest one: birth changes no force either. Rejected: turning at the diagonal
-// of a corner, D = -min(a, b), which has the same potential elsewhere, but a force that turns by 90 degrees at once.
+// A body without a held face feels the nearest one: birth changes no force either. All of this only where a scene has
+// `tight_plates`: else no face is kept, and a body feels nearest_on_rectangle() of geometry.h.
+//
+// Limit: a body without a held face that moves, in one step, from beyond the margin to behind the middle of the plate gets
+// the face that is nearest by then, the opposite one, and comes out there. For that its centre moves, against the plate, by
+// R + margin + half the thickness or more.
+//
+// Rejected: turning at the diagonal of a corner, D = -min(a, b), which has the same potential elsewhere, but a force that
+// turns by 90 degrees at once.
 #pragma once
 
 #include "physics/constants.h"
@@ -66,7 +75,7 @@ inline Rectangle without_opposite(Rectangle r, Face face) {
   return r;
 }
 
-// min* and its derivatives.
+// min* (m) and its derivatives by p and q (-).
 struct RoundedLeast {
   double value, of_p, of_q;
 };

@@ -1,5 +1,7 @@
 // What follows from the law of a contact for a head-on impact: estimates, for advice on steps and for what is watched
-// in a run. No run's state depends on them. Hertz's stand here, the linear law's in physics/linear.h. Constant dashpots are left out: with them an impact goes less deep.
+// in a run. No run's state depends on them, except where events are located: time_scale_to_the_fifth() grades the steps
+// after a touch (run/events.h). Hertz's stand here, the linear law's in physics/linear.h. Constant dashpots are left out:
+// with them an impact goes less deep.
 #pragma once
 
 #include <cmath>
@@ -15,7 +17,8 @@ inline double damping_ratio_of_impact(const ContactLaw& law) {
   return is_linear(law) ? damping_ratio_of_linear(law) : law.viscosity / (2 * std::sqrt(5.0 / 6.0));
 }
 
-// J: the work that presses two bodies to this overlap. Bodies that meet with more energy, m* v^2/2, go deeper.
+// J: the work that presses two bodies to this overlap, by law, from R* and d (m). The one of physics/contact.h is Hertz's
+// alone, from Fe and d. Bodies that meet with more energy, m* v^2/2, go deeper.
 inline double elastic_energy(const ContactLaw& law, double reduced_radius, double overlap) {
   if (is_linear(law)) return linear_work(law, overlap);
   return 8.0 / 15.0 * law.modulus * std::sqrt(reduced_radius * overlap) * overlap * overlap;
@@ -52,7 +55,8 @@ inline double impact_frequency(const ContactLaw& law, double overlap, double spe
   return is_linear(law) ? linear_impact_frequency(overlap, speed) : std::sqrt(15.0 / 8.0) * speed / overlap;
 }
 
-// Of Hertz's law. s^5: the fifth power of a contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5).
+// Of Hertz's law. s^5: the fifth power of a contact's time scale, (m*^2 / (E*^2 R* v))^(1/5) / max(1, beta)^(4/5). Its root
+// is left to the caller (run/events.cpp), for std::pow has not the same bits on every machine.
 inline double time_scale_to_the_fifth(const ContactLaw& law, double reduced_radius, double reduced_mass, double speed) {
   const double beta = damping_ratio_of_impact(law);
   const double damped = beta > 1 ? beta : 1;

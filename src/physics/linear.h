@@ -33,10 +33,10 @@ inline void stiffen_linear(const ContactLaw& law, const Touch& c, TouchForce& f)
   f.elastic = f.stiffness * c.overlap;
 }
 
-// J, stored in the normal spring: the integral of Fe from 0 to d.
+// J, stored in the normal spring: the integral of Fe (N) from 0 to d (m), from both. From d alone: linear_work().
 inline double linear_energy(double elastic, double overlap) { return 0.5 * elastic * overlap; }
 
-// Constant stiffnesses give the springs nothing.
+// The stiffnesses are constant: no energy is supplied by a change of them.
 inline void keep_stiffness(TouchPowers& p) { p.stiffening = 0; }
 
 // ---- a head-on impact: estimates, see physics/impact.h ----

@@ -21,9 +21,9 @@ enum class Damper { axial, full };           // along the link, or on the whole 
 enum class TearRule { tension, magnitude };  // which spring force is compared with the strength
 
 struct LinkForce {
-  double spring;   // N, tension positive
+  double spring;   // N, force of the spring, tension positive
   double fx, fy;   // N, on node i, spring and damper together
-  double damping;  // W, what the damper dissipates
+  double damping;  // W, power that the damper dissipates
 };
 
 // r (m) and v (m/s) of node i against node j; rest length m, stiffness N/m, damping N s/m.
@@ -41,7 +41,7 @@ struct LinkForce {
   return f;
 }
 
-// Whether a link of this strength (N) tears under the force of its spring (N).
+// Whether a link of this strength (N) tears under the force of its spring (N). The force of its damper does not count.
 [[gnu::always_inline]] inline bool link_tears(double spring, double strength, TearRule rule) {
   return (rule == TearRule::magnitude ? std::fabs(spring) : spring) > strength;
 }

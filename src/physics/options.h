@@ -1,9 +1,10 @@
 // What a contact may have beyond the law of Hertz and Mindlin (physics/contact.h). Where every option is at its
 // default that law holds as it stands there, and the kernel runs it in vectors.
 //
-//   force        linear.h, rescaled_mindlin.h; which damping there is besides beta: damping.h
+//   force        another law: linear.h, rescaled_mindlin.h
+//   dashpot      damping besides that of beta, or in its place: damping.h
 //   after_slip   what a tangential spring holds after it has slipped: damping.h
-//   rolling      rolling_spring.h
+//   rolling      a rolling spring: rolling_spring.h
 //
 // One more law takes
 //
@@ -22,7 +23,9 @@
 namespace furrow {
 
 enum class ForceLaw { hertz_mindlin, rescaled_mindlin, linear };
-// A switch over the laws names each of them, without a default: one more does not compile until all of them say what they do.
+
+// A switch over the laws names each of them, without a default. So with warnings as errors (FURROW_WERROR) one more does not
+// compile until all of them say what they do.
 constexpr bool has_constant_stiffness(ForceLaw law) {
   switch (law) {
     case ForceLaw::hertz_mindlin:
@@ -43,9 +46,9 @@ struct ContactOptions {
   AfterSlip after_slip = AfterSlip::elastic;
   bool rolling_spring = false;
   double normal_stiffness = 0;      // N/m, kn of the linear law
-  double tangential_stiffness = 0;  // N/m, kt
-  double dashpot = 0;               // N s/m, cn
-  double tangential_dashpot = 0;    // N s/m, ct
+  double tangential_stiffness = 0;  // N/m, kt of the linear law
+  double dashpot = 0;               // N s/m, cn of any law
+  double tangential_dashpot = 0;    // N s/m, ct of any law
   double rolling_stiffness = 0;     // N m, kr; 0: it follows the normal stiffness
   double rolling_damping = 0;       // -, eta_r
 

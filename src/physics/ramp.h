@@ -6,7 +6,7 @@
 
 namespace furrow {
 
-// Place and speed for v = 1.
+// Place and speed by v.
 struct Ramped {
   double time;   // s, x/v: the place is v times this
   double speed;  // -, x'/v

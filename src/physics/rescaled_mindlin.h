@@ -2,7 +2,7 @@
 // while d grows.
 //
 //   F  = St xi                     what the spring is loaded with; the spring's part of Ft (physics/contact.h) is -F
-//   F' = St vt + (F - F*) St'/St   while d grows: what is there already stays; F* is F within |F*| <= mu Fe
+//   F' = St vt + (F - F*) St'/St   while d grows: F* is not scaled up; it is F within |F*| <= mu Fe
 //   F' = St vt + F St'/St          while d shrinks: a smaller contact cannot hold it
 //
 // which in xi (m) is, with St'/St = d'/(2 d),
@@ -10,8 +10,8 @@
 //   xi' = vt - xi* d'/(2 d)  while d' > 0,  xi* = xi within |xi*| <= mu Fe/St = mu E* d/(6 G*)
 //   xi' = vt                 otherwise
 //
-// Why xi*: xi may be beyond mu Fe/St, within a step or by the damped force Fn, and d as small as round-off. Then
-// xi d'/(2 d) has no bound; xi* d'/(2 d) is at most mu E* d'/(12 G*). After the step the spring is shortened by the rules
+// Why xi*: xi can exceed mu Fe/St within a step, or because its limit after a step is that of the damped Fn. As d -> 0,
+// xi d'/(2 d) is then unbounded; xi* d'/(2 d) is at most mu E* d'/(12 G*). After the step the spring is reset by the rules
 // of physics/damping.h, as any other.
 //
 // Mindlin's spring without rescaling is supplied with energy as it stiffens: after an impact that sticks the slip is up
@@ -31,7 +31,7 @@ namespace furrow {
 
 inline bool loads(const Touch& c) { return c.approach > 0 && c.overlap > 0; }
 
-// m: xi*. The limit is that of Fe, for Fn has the damper's part, which jumps at an impact.
+// m: xi*, the part of xi that the elastic force Fe holds. Not Fn: the damper's part of it jumps at an impact.
 inline double held_spring(const ContactLaw& law, const Touch& c, const TouchForce& f) {
   return returned_spring(law.friction * f.elastic, f, c.spring);
 }

@@ -8,6 +8,13 @@
 //
 // theta: rad; kr: N m; cr: N m s; Ir: kg m^2. After each step |theta| is limited to mu_r R* Fn/kr.
 //
+// A disc at rest on a slope of angle alpha has Fn = m g cos(alpha), |Ft| = m g sin(alpha) and |M| = arm |Ft|. With
+// |Ft| <= mu Fn and |M| <= mu_r R* Fn it can rest if
+//
+//   tan(alpha) <= min(mu, mu_r R*/arm)
+//
+// where R* = R, and arm is R - d by default (system/contact.h).
+//
 // The factor 3 is that of discs: springs spread over a width B give the moment Sn B^2/12 per angle, and B = 6 mu_r R*
 // lets it reach its limit, Fn B/6, where the pressure at one edge vanishes. Spheres, with a round contact of that width,
 // would have 2.25, and a limit of Fn B/8; 3 is taken for both.

@@ -60,8 +60,8 @@ Proximity across(const Instant& now, const Gap& gap) {
 
 Proximity to_wall_or_plate(const Instant& now, const ContactId& pair) {
   const double t = now.discrete.preparing ? 0 : now.t;  // s
-  return across(now, held_gap(now.parts, now.discrete.faces, pair, body_a(now, pair).at,
-                              t));  // m and direction, to the wall or to the face that is kept
+  // m and direction, to the wall or to the face that is kept
+  return across(now, held_gap(now.parts, now.discrete.faces, pair, body_a(now, pair).at, t));
 }
 
 // The nearest point of the border; of two equally near the one on the first segment.
@@ -124,7 +124,8 @@ int law_of(const Parts& parts, const ContactId& pair) {
 
 // ---- kinematics ----
 
-// The velocity of b at the contact, without what its spin adds there, and the spin. Only discs have a spin.
+// The translational velocity of b at the contact (m/s) and its angular velocity (rad/s; only discs have one). It is not the
+// velocity of the surface: contact_of() adds what the spin contributes.
 Body surface_b(const Instant& now, const ContactId& pair, const Proximity& near) {
   if (pair.kind == disc_disc) return disc_of(now, pair.b);
   if (of_plate(pair.kind)) {
@@ -137,8 +138,9 @@ Body surface_b(const Instant& now, const ContactId& pair, const Proximity& near)
   return {{}, {(1 - near.share) * i.x + near.share * j.x, (1 - near.share) * i.y + near.share * j.y}, 0};
 }
 
-// m: to the contact point. By default two discs share the overlap, so that their arms add up to the distance of the
-// centres, and angular momentum is kept; with `moment_arm = "radius"` it is not.
+// m: from the centre to the contact point. The three choices of model.moment_arm: system/contact.h. By default two discs
+// share the overlap, so that their arms add up to the distance of the centres, and angular momentum is kept; with "radius"
+// it is not. On flats R - d is negative where d > R.
 double moment_arm(const Instant& now, const ContactId& pair, int disc, double overlap) {
   const double share =
       pair.kind == disc_disc ? now.parts.pair_arm_shortening : now.parts.flat_arm_shortening;  // -, of d
@@ -189,7 +191,7 @@ Contact contact_of(const Instant& now, const ContactId& pair, const Proximity& n
   c.touch.overlap = near.overlap;                                                        // m, d
   c.touch.approach = c.vx * c.nx + c.vy * c.ny;                                          // m/s, d'
   c.touch.slip = c.vy * c.nx - c.vx * c.ny + (c.spin_a * c.arm_a + c.spin_b * c.arm_b);  // m/s, vt
-  c.touch.spring = c.slot < 0 ? 0 : now.y[now.layout.spring_of(c.slot)];                 // m, xi
+  c.touch.spring = c.slot < 0 ? 0 : now.y[now.layout.spring_of(c.slot)];                 // m, xi; 0 without a slot
   c.touch.spin = c.spin_a - c.spin_b;                                                    // rad/s, w
   c.touch.reduced_radius = radius_of(parts, pair);                                       // m, R*
   c.touch.reduced_mass = mass_of(parts, pair, near);                                     // kg, m*

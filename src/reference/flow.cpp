@@ -1,5 +1,11 @@
 // y' = f(t, y): all contacts, all links, the sums of forces, the ledger. The order of the sums is that of
 // system/order.h.
+//
+//   m x''    = sum of Fx                  N, of contacts, links and a node's load
+//   m y''    = sum of Fy - m g            N, g > 0 points down; of a lattice only if its nodes have weight
+//   I omega' = sum of (arm Ft + M)        N m, of discs, if some contact has friction; M with its sign for body a or b
+//
+// Signs of Ft, M and omega: physics/contact.h. Of the ledger: book() below.
 #include <algorithm>
 #include <utility>
 
@@ -25,8 +31,8 @@ void add(Load& sum, double fx, double fy, double torque) {
 struct Sums {
   std::vector<Load> disc, node;
   ContactPowers powers;
-  double plate_power = 0;  // W
-  double link_power = 0;   // W
+  double plate_power = 0;  // W, supplied by what moves plates and driven nodes
+  double link_power = 0;   // W, lost by the dampers of links
 };
 
 TouchPowers powers_of(const Instant& now, const Contact& c) {
@@ -84,7 +90,7 @@ void add_links(const Instant& now, Sums& sums) {
   }
 }
 
-// What moves driven nodes holds them against the sum of forces.
+// The drive supplies -F.v (W) to its nodes; F (N) is the sum of forces on the node, its load included.
 void drive(const Instant& now, Sums& sums) {
   for (const int n : now.parts.driven) {
     const Vec2 v = node_of(now, n).velocity;                            // m/s, as the scene says
@@ -111,6 +117,8 @@ void accelerate(const Instant& now, const Sums& sums, State& rates) {
   for (const int body : parts.held_y) rates[at.vy_of(body)] = 0;  // m/s^2
 }
 
+// Rates of the entries of the ledger. Lost: contact_viscous, friction_work, rolling_work, link_damping. Supplied: stiffening,
+// plate_work. Jumps book in friction_work, rolling_work and tear_energy. The balance of energy: system/layout.h.
 void book(const Layout& at, const Sums& sums, State& rates) {
   rates[at.ledger_of(contact_viscous)] = sums.powers.viscous;  // W
   rates[at.ledger_of(friction_work)] = sums.powers.friction;   // W
@@ -175,7 +183,7 @@ void flow(const Instant& now, State& rates) {
   add_links(now, sums);
   drive(now, sums);
 
-  std::fill(rates.begin(), rates.end(), 0.0);                              // what nothing changes
+  std::fill(rates.begin(), rates.end(), 0.0);                              // entries without a rate
   std::copy_n(now.y.begin() + at.vx_of(0), 2 * at.bodies, rates.begin());  // x' = v, m/s
   accelerate(now, sums, rates);
   for (const Contact& c : touching) {

@@ -61,7 +61,8 @@ class Slots {
     return slot;
   }
 
-  // One more, after all others.
+  // One more slot, after all others: room in the state before the dummy slots, the ledger and the angles. How many numbers
+  // stand after it does not change, so the room of several slots is one Growth.
   void grow() {
     const Growth one{static_cast<std::size_t>(layout_.slot_width),
                      static_cast<std::size_t>(layout_.size() - layout_.first_dummy())};
@@ -74,7 +75,7 @@ class Slots {
   Layout& layout_;
   DiscreteState& discrete_;
   State& y_;
-  Growth grown_;
+  Growth grown_;  // how many numbers of the state are new, and where, for what else holds states
 };
 
 // The springs of contacts that another plate feels instead are that plate's. True if one was not.
@@ -108,9 +109,9 @@ class Heat {
   std::vector<double> of_block_;
 };
 
-// |xi| and |theta| are limited as physics/damping.h and physics/rolling_spring.h have it. The energy that this frees is
-// heat of friction and of rolling (negative where `less_viscous` stretches a spring). Without a touch a spring holds
-// nothing: what it held is heat too.
+// xi is reset by one of the two rules of physics/damping.h; the second can lengthen or reverse it. |theta| is limited as
+// physics/rolling_spring.h has it. The energy that this frees is heat of friction and of rolling, negative where |xi|
+// grows. Without a touch a spring holds nothing: what it held is heat too.
 bool return_springs(const Instant& now, State& y) {
   Heat sliding(now, friction_work), rolling(now, rolling_work);
   bool changed = false;
@@ -135,7 +136,7 @@ bool return_springs(const Instant& now, State& y) {
     const Contact c = contact_of(now, pair, near);  // with its force at the old xi
     const ContactLaw& law = now.parts.law[c.law];
     const double before = spring;                                                            // m
-    set(spring, spring_after_step(law, c.touch, c.force));                                   // m, within the limit
+    set(spring, spring_after_step(law, c.touch, c.force));                                   // m, by the rule
     sliding.add(pair, 0.5 * c.force.shear_stiffness * (before * before - spring * spring));  // J
     if (!turn || !rolls_on_spring(law)) continue;
     set(*turn, turn_after_step(law, c.touch, c.force));  // rad, within the limit
@@ -167,8 +168,8 @@ double energy_on_lattices(const Instant& now) {
   return energy;
 }
 
-// Links over their strength. What energy the contacts with the border lose by its change is booked as torn: `now` sees
-// `discrete`, so it has the old border before the change and the new one after it.
+// Links over their strength; only the force of the spring counts. What energy the contacts with the border lose by its
+// change is booked as torn. `now` sees the old border before the change of `discrete` and the new one after it.
 std::vector<Tear> tear_links(const Instant& now, DiscreteState& discrete, State& y) {
   const LinkArrays& link = now.parts.link;
   std::vector<Tear> tears;
@@ -198,8 +199,8 @@ bool Reference::torn(int link) const { return is_torn(discrete_, link); }
 Reference::Reference(const std::shared_ptr<const Parts>& parts)
     : Solver(parts, make_layout(*parts)), discrete_(initial_discrete_state(*parts, layout_)) {}
 
-// In this order: first held faces, then slots, then springs, then the survey, then tears: springs are cut to the limit
-// of a torn border at the next jump.
+// In this order: first held faces, then slots, then springs, then the survey, then tears: springs are reset by the limit
+// of a torn border at the next jump. `now` refers to layout_, discrete_ and y: each part sees what those before it changed.
 JumpReport Reference::jump(double t, State& y) {
   const Instant now{*parts_, layout_, discrete_, t, y};
   JumpReport report;
@@ -225,6 +226,7 @@ void Reference::for_each_contact(double t, const State& y, const Visit& visit) c
   for (const Contact& c : contacts({*parts_, layout_, discrete_, t, y})) visit(c);
 }
 
+// A layout without dummy slots is one of a scene without springs: it can have no slots.
 void Reference::restore(const DiscreteState& discrete) {
   if (!belongs_to(discrete, *parts_) || (layout_.dummy_slots == 0 && discrete.spring_count() > 0))
     throw std::invalid_argument("the discrete state is not one of this scene");

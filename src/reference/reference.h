@@ -49,23 +49,24 @@ Body node_of(const Instant& now, int node);
 
 // Where the two of a pair are against each other.
 struct Proximity {
-  bool near = false;  // closer than Parts::margin
-  bool touching = false;
+  bool near = false;      // closer than Parts::margin (m)
+  bool touching = false;  // the surfaces cross
   double overlap = 0;     // m; negative if they are apart
-  double nx = 0, ny = 0;  // direction from a to b, not of length 1 in a plate's corner: system/contact.h
+  double nx = 0, ny = 0;  // -, from a to b; shorter than 1 only inside the rounded corners of a kept face (held_face.h)
   int segment = -1;       // disc-lattice: the nearest one
-  double share = 0;       // -, disc-lattice: where on it
+  double share = 0;       // -, disc-lattice: where on it, 0 at its node a, 1 at b
 };
 Proximity proximity(const Instant& now, const ContactId& pair);
 
-// The contact of a pair that touches.
+// The contact of a pair that touches. Without a slot it has no springs, xi = theta = 0: its Ft is that of the damper alone,
+// within the limit of friction.
 Contact contact_of(const Instant& now, const ContactId& pair, const Proximity& near);
 
-// Of flush plates one feels a body, and the springs of the others follow its spring. The slot that this one follows;
-// -1: none, or the plate that feels the body holds no slot.
+// Of flush plates one feels a body, and the springs of the others follow its spring. held: a contact that holds a slot.
+// Slot of the plate that feels the body instead; -1 if this plate feels it itself or that one has no slot.
 int slot_followed(const Instant& now, const DiscreteState::Held& held);
 
-// What the springs of a pair that touches no more still hold.
+// J: what the springs of a pair that touches no more still hold; spring: m, xi; turn: rad, theta.
 SpringEnergies energy_at_opening(const Instant& now, const ContactId& pair, double spring, double turn);
 
 // Every pair that there can be, in the order of the sums: see system/order.h.

@@ -104,7 +104,7 @@ struct Parts {
   int free_nodes = 0;
   std::vector<int> held_x, held_y;  // bodies that keep their x, their y: nodes on rollers
 
-  double gravity = 0;  // m/s^2
+  double gravity = 0;  // m/s^2, positive down
   // -, moment arm = radius - shortening * overlap, between discs and on what is flat
   double pair_arm_shortening = 0.5, flat_arm_shortening = 1;
   double rolling_smoothing = 0;  // rad/s
