@@ -30,11 +30,12 @@
 //   xi           ~ d^(-1/4)                        no bound
 //   St xi        ~ d^(1/4)                         the force has one
 //   1/2 St xi^2  ~ 1                               the energy has one
-//   1/2 St' xi^2 = 1/4 St xi^2 d'/d ~ 1/d          W: `stiffening`; friction_work loses as much
+//   1/2 St' xi^2 = 1/4 St xi^2 d'/d ~ 1/d          W: supplied as `stiffening`, and lost as friction_work
 //
-// From the first jump on, at d ~ h for a step h, both entries grow like log(1/h) with opposite signs. In the first steps d
-// changes by a share that does not depend on h, so the ledger closes no better at finer steps. With ct, which does not
-// vanish with d, the energy is ~ d^(-1/2) and has no bound either. By the linear law all stay bounded: kt is constant.
+// From the first jump on, at d ~ h for a step h, both entries grow like log(1/h); they have opposite signs in the balance
+// and cancel. In the first steps d changes by a share that does not depend on h, so the ledger closes no better at finer
+// steps. With ct, which does not vanish with d, xi ~ d^(-1/2) and the energy ~ d^(-1/2): it has no bound either. By the
+// linear law all stay bounded, for kt is constant, and the ledger closes.
 //
 // Sources: Tsuji, Tanaka and Ishida 1992 (Powder Technol. 71, 239), whose normal viscous force is
 // alpha sqrt(m* K) d^(1/4) d' with Fe = K d^(3/2), and whose tangential damper is the normal one: alpha is theirs, Ct is
