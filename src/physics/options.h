@@ -9,11 +9,14 @@
 // One more law takes
 //
 //   physics/    a header with its stiffnesses, elastic force, stored energy, powers and impact, as linear.h has them;
-//               here its name; contact_force.h and impact.h, whose switches call it; rolling_spring.h, whose stiffness
-//               grows with Sn
+//               here its name, and whether its stiffness is constant; contact_force.h, whose switches call it;
+//               rolling_spring.h, whose stiffness grows with Sn; impact.h, which knows two springs: a constant stiffness
+//               is the linear law's, any other is Hertz's, so a third spring has to be named there
+//   who asks    is_linear() of impact.h, by grep: run/events.cpp, system/survey.cpp, program/explain.cpp and
+//               explain_law.cpp
 //   system/     laws.cpp: its constants, from a scene
 //   scene/      schema.h: its key; validate.cpp and effects.cpp: what it needs and ignores; damping.cpp
-//   the others  program/explain_law.cpp: its words; export/lammps_law.cpp and deviations.cpp: its name elsewhere
+//   the others  program/explain_law.cpp: its words; export/deck.cpp, lammps_law.cpp and deviations.cpp: its name elsewhere
 //
 // The kernel takes it from contact_force.h. What every law shares, and a law with adhesion (JKR) would have to change:
 // two bodies touch where they overlap, d > 0; a contact without overlap has no stiffness of its own; friction is limited
