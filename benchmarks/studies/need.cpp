@@ -8,7 +8,6 @@
 #include <optional>
 #include <tuple>
 
-#include "benchmarks/measuring/samples.h"
 #include "benchmarks/studies/measured_run.h"
 #include "methods/method.h"
 #include "output/machine.h"
@@ -16,7 +15,8 @@
 namespace furrow::benchmarks {
 namespace {
 
-constexpr int digits = 6;  // of an effect
+constexpr int digits = 6;          // of an effect
+constexpr int digits_of_cost = 4;  // of a ratio of times
 
 Scene changed(const Subject& subject, const Term* term, int packing) {
   Scene scene = subject.scene();
@@ -94,12 +94,12 @@ Json cost_ratios(const Ready& without, const Ready& whole, int pairs) {
   Json all = Json::array();
   for (int k = 0; k < pairs; ++k) {
     const double first = once(k % 2 == 0 ? without : whole).cpu, second = once(k % 2 == 0 ? whole : without).cpu;
-    all.push_back(rounded(k % 2 == 0 ? first / second : second / first));
+    all.push_back(to_digits(k % 2 == 0 ? first / second : second / first, digits_of_cost));
   }
   return {{"ratios", all}};
 }
 
-// Of one packing: so that there are enough for an interval that holds the median in 95 of 100 cases, see samples.h.
+// Of one packing: so that there are enough for an interval that holds the median in 95 of 100 cases.
 int pairs_of(const Subject& subject, bool quick) {
   constexpr int enough = 6;
   return quick ? 1 : (enough + subject.packings - 1) / subject.packings;
