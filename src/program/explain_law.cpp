@@ -71,6 +71,11 @@ void print_options(const Scene& scene, const Parts& parts) {
   if (parts.friction)
     line("springs after slip", "hold the Coulomb limit%s",
          scene.model.after_slip == AfterSlip::less_viscous ? " less the viscous force, as in LAMMPS" : "");
+  if (parts.friction && scene.model.after_slip == AfterSlip::less_viscous && scene.output.energy &&
+      !has_constant_stiffness(scene.model.law))
+    line("",
+         "so the energy ledger does not close, at any step: the spring of a contact that begins by sliding has no "
+         "bound");
   for (const Plate& p : scene.plate)
     if (p.ramp > 0)
       line("plate " + p.name, "reaches its speed in %g s", p.ramp);

@@ -32,10 +32,12 @@ void describe(auto& v, Model& m) {
             {"linear", ForceLaw::linear, "springs of constant stiffness (Cundall and Strack)"}},
            "The law of contact forces.");
   v("slip_damping", m.slip_damping, plain("false", "Whether the tangential force of a contact is damped too."));
-  v.choice("after_slip", m.after_slip,
-           {{"elastic", AfterSlip::elastic, "the Coulomb limit"},
-            {"less_viscous", AfterSlip::less_viscous, "the Coulomb limit less the viscous force, as in LAMMPS"}},
-           "What a tangential spring holds after it has slipped.");
+  v.choice(
+      "after_slip", m.after_slip,
+      {{"elastic", AfterSlip::elastic, "the Coulomb limit"},
+       {"less_viscous", AfterSlip::less_viscous,
+        "the Coulomb limit less the viscous force, as in LAMMPS; the energy ledger closes by the linear law alone"}},
+      "What a tangential spring holds after it has slipped.");
   v.choice("rolling", m.rolling,
            {{"smoothed", Rolling::smoothed, "a moment that fades below rolling_smoothing: it slows, but holds nothing"},
             {"spring", Rolling::spring, "a spring up to the limit (Ai et al. 2011, type C): discs can rest on a slope"},

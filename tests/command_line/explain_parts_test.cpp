@@ -41,6 +41,23 @@ bending = { stiffness = 1e4, damping = 50.0, strength = 40.0 }
   EXPECT_NE(text.find("tears in tension at 330 N, in bending at 2.05 N m"), std::string::npos) << text;
 }
 
+TEST_F(Explain, SaysWhereTheLedgerOfEnergyDoesNotClose) {
+  const auto said = [&](const std::string& model, const std::string& more = "") {
+    const std::string text = explain(
+        "title = \"Wall\"\ntime = { end = 0.1, step = 1e-4 }\nmodel = { " + model +
+        " }\ncontact = { damping_factor = 0.1, friction = 0.5" + more +
+        " }\nmaterial = [{ name = \"soft\", young = 1e6, poisson = 0.25 }]\n"
+        "disc = [{ position = [0.0, 0.2], radius = 0.1, material = \"soft\" }]\n"
+        "wall = [{ point = [0.0, 0.0], normal = [0.0, 1.0], material = \"soft\" }]\noutput = { energy = true }\n");
+    EXPECT_EQ(code_, 0) << errors_;
+    return text.find("so the energy ledger does not close") != std::string::npos;
+  };
+  EXPECT_TRUE(said("after_slip = \"less_viscous\""));
+  EXPECT_FALSE(said("after_slip = \"elastic\""));
+  EXPECT_FALSE(
+      said("after_slip = \"less_viscous\", law = \"linear\"", ", normal_stiffness = 1e4, tangential_stiffness = 1e4"));
+}
+
 TEST_F(Explain, SaysHowAPlateReachesItsSpeed) {
   const std::string plates = R"(
 title = "Plates"
