@@ -142,6 +142,15 @@ TEST_F(Terminal, SettlingSaysWhatItWaitsFor) {
   EXPECT_TRUE(std::regex_search(text, words)) << text;
 }
 
+TEST_F(Terminal, AnEngineSaysWhatItWaitsFor) {
+  Screen screen;
+  const furrow::test::Process engine(
+      directory_, "'" FURROW_PROGRAM "' engine <" + screen.name() + " >stdout.txt 2>" + screen.name());
+  EXPECT_TRUE(furrow::test::comes_true([&] {
+    return screen.text().find("waits for a request, JSON") != std::string::npos;
+  })) << screen.text();
+}
+
 TEST_F(Terminal, AFileGetsNoBar) {
   ASSERT_EQ(furrow("run " + scene("scenario_1") + " --until 2 --out here").code, 0);
   EXPECT_EQ(err(), "");

@@ -158,6 +158,8 @@ int engine_command(const std::string& method) {
   if (make_method(method)->info().controlled)
     throw std::invalid_argument("--method: " + method +
                                 " chooses its own step; the judge asks for steps that are given");
+  if (isatty(STDIN_FILENO) != 0)
+    std::fprintf(stderr, "furrow: waits for a request, JSON on standard input (furrow cases NAME --request STEPS)\n");
   const Json request = json_or_discarded(std::cin);
   if (request.is_discarded())
     throw std::invalid_argument("the request on standard input is not JSON; see furrow cases --protocol");
