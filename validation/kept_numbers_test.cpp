@@ -168,7 +168,7 @@ TEST(Age, ProgramOutputAndPageDecideNoNumber) {
 
 // Every file of these rooms is one of the sources that decide.
 TEST(Age, TheWholeStatePathDecides) {
-  const Sources deciding = that_decide(sources_of_this_program(), {});
+  const Sources deciding = that_decide(sources_of_this_program(), {}, true);
   const fs::path top = FURROW_SOURCE_DIR;
   int seen = 0;
   for (const char* room : {"physics", "system", "reference", "kernel", "methods", "run"}) {
@@ -178,6 +178,24 @@ TEST(Age, TheWholeStatePathDecides) {
     }
   }
   EXPECT_GT(seen, 50);
+}
+
+// A watch ends a run or lets it be (Validity's tests have that it moves no bit), so what it does not end stays as it was.
+TEST(Age, AWatchDecidesWhatIsWatchedAlone) {
+  const Sources& all = sources_of_this_program();
+  const Sources watched = that_decide(all, {}, true), unwatched = that_decide(all, {});
+  const std::string watch = "src/run/validity.cpp";
+  EXPECT_TRUE(watched.contains(watch));
+  EXPECT_FALSE(unwatched.contains(watch));
+  EXPECT_TRUE(unwatched.contains("src/run/run.cpp"));
+  Sources before = watched;
+  before[watch] = "another";
+  EXPECT_EQ(changed_since(before, watched), std::vector<std::string>{watch});
+  EXPECT_TRUE(changed_since(before, unwatched).empty());
+  before["src/run/run.cpp"] = "another";
+  EXPECT_EQ(changed_since(before, unwatched), std::vector<std::string>{"src/run/run.cpp"});
+  before["src/run/gone.cpp"] = "a source that is there no more";
+  EXPECT_EQ(changed_since(before, unwatched).size(), 2u);
 }
 
 // A name in the catalogue that fits no file would leave out what it should follow.

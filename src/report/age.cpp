@@ -17,7 +17,7 @@ Age age_of(const Numbers& numbers, const Today& today) {
     const Sources& now = today.sources(result);
     const auto [files, fresh] = since.try_emplace({result.maker, &now});
     const bool unknown = maker.sources.empty();
-    if (fresh && !unknown) files->second = differing(maker.sources, now);
+    if (fresh && !unknown) files->second = changed_since(maker.sources, now);
     const auto input = today.inputs.find(result.key);
     const bool another = input != today.inputs.end() && input->second != result.input;
     const bool old = unknown || another || !files->second.empty();

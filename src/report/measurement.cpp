@@ -168,7 +168,7 @@ const Result* Measurement::kept(const Task& task) const {
   const Result* known = earlier_.find(task.key);
   if (!known || known->failed() || known->input != task.input || known->timed != task.timed) return nullptr;
   const Maker& maker = earlier_.makers().at(known->maker);
-  if (!differing(maker.sources, maker_.sources).empty()) return nullptr;
+  if (!changed_since(maker.sources, maker_.sources).empty()) return nullptr;
   const bool same_time =
       maker.machine == maker_.machine && maker.compiler == maker_.compiler && maker.flags == maker_.flags;
   return task.timed && !same_time ? nullptr : known;

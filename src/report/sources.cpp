@@ -13,6 +13,16 @@ constexpr std::array state_path{"src/physics/",          "src/system/",       "s
                                 "src/scene/border",      "src/scene/scene.h", "src/scene/lattice_", "src/scene/stem.",
                                 "src/scene/unit_vector."};
 
+// The watches: they may end a run, and change no number of one that comes to its end.
+constexpr std::array watches{"src/run/border_watch.", "src/run/crossing.",   "src/run/cut_lattices.",
+                             "src/run/energy_floor.", "src/run/inside_out.", "src/run/meeting.",
+                             "src/run/path.",         "src/run/step_check.", "src/run/validity.",
+                             "src/run/watched."};
+
+bool is_a_watch(const std::string& file) {
+  return std::any_of(watches.begin(), watches.end(), [&](const char* watch) { return file.starts_with(watch); });
+}
+
 using Beginnings = std::vector<std::string>;
 
 const Beginnings judge{"verification/engines/asked.",          "verification/engines/case.",
@@ -50,6 +60,7 @@ struct Kept {
   const char* what;
   bool of_solver;
   Beginnings (*own)();
+  bool watched = false;
 };
 const std::array<Kept, 5> kept{
     {{"faults", true, of_faults},
@@ -62,7 +73,7 @@ const std::array<Kept, 5> kept{
         return and_judge({"verification/engines/independent", "verification/engines/observer."});
       }},
      {"judged_others", false, [] { return and_judge({"verification/engines/adapters/"}); }},
-     {"times", true, [] { return Beginnings{}; }}}};
+     {"times", true, [] { return Beginnings{}; }, true}}};
 
 Sources beginning(const Sources& all, const Beginnings& with) {
   Sources some;
@@ -75,9 +86,10 @@ Sources beginning(const Sources& all, const Beginnings& with) {
 
 }  // namespace
 
-Sources that_decide(const Sources& all, const std::vector<std::string>& own) {
-  Sources some = beginning(all, own);
-  some.merge(beginning(all, {state_path.begin(), state_path.end()}));
+Sources that_decide(const Sources& all, const std::vector<std::string>& own, bool watched) {
+  Sources some = beginning(all, {state_path.begin(), state_path.end()});
+  if (!watched) std::erase_if(some, [](const auto& one) { return is_a_watch(one.first); });
+  some.merge(beginning(all, own));
   return some;
 }
 
@@ -85,7 +97,7 @@ Sources that_decide(const std::string& what) {
   std::string known;
   for (const Kept& one : kept) {
     const Sources& all = sources_of_this_program();
-    if (what == one.what) return one.of_solver ? that_decide(all, one.own()) : beginning(all, one.own());
+    if (what == one.what) return one.of_solver ? that_decide(all, one.own(), one.watched) : beginning(all, one.own());
     known += (known.empty() ? "" : ", ") + std::string(one.what);
   }
   throw std::invalid_argument("nothing that is kept is called '" + what + "'; there are " + known);
@@ -102,6 +114,14 @@ std::vector<std::string> differing(const Sources& a, const Sources& b) {
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+std::vector<std::string> changed_since(const Sources& then, const Sources& now) {
+  Sources decided;
+  for (const auto& one : then) {
+    if (now.contains(one.first) || !is_a_watch(one.first)) decided.insert(one);
+  }
+  return differing(decided, now);
 }
 
 }  // namespace furrow

@@ -77,8 +77,9 @@ struct Study {
   void (*measure)(Measurement& measurement) = nullptr;
   Report (*chapter)(const Shelf& shelf) = nullptr;
   std::string made_by{};  // the command that makes its numbers; empty: furrow study NAME
+  bool watched = false;   // its numbers say whether and why a watch ended a run
 
-  Sources sources() const { return that_decide(sources_of_this_program(), files); }
+  Sources sources() const { return that_decide(sources_of_this_program(), files, watched); }
 };
 
 // Whether times that the chapter of a study rests on, its own or those of the studies that it reads, are older than the
