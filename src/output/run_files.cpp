@@ -137,7 +137,8 @@ RunOutcome run_in_own_directory(const RunRequest& request, const SavedRun* saved
   std::vector<std::string> warnings;
   if (!saved) {
     warnings = warnings_before(asked);
-    warnings.insert(warnings.end(), prepared->warnings.begin(), prepared->warnings.end());
+    for (const auto& more : {prepared->warnings, warnings_of_lowered_plates(asked, prepared->scene)})
+      warnings.insert(warnings.end(), more.begin(), more.end());
   }
   for (const std::string& warning : warnings) request.warn(warning);
 

@@ -1,9 +1,11 @@
 #include "program/program.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 #include "output/build_info.h"
 #include "program/commands.h"
@@ -19,6 +21,15 @@ namespace {
 int fail(const std::string& message, ExitCode code) {
   std::cerr << message << "\n";
   return code;
+}
+
+// A width that is misspelt would be another one than was asked for.
+std::string unknown_vectors() {
+  const char* named = std::getenv("FURROW_VECTORS");
+  if (!named) return {};
+  for (const std::string_view known : {"none", "avx2", "avx512"})
+    if (named == known) return {};
+  return "the environment variable FURROW_VECTORS is \"" + std::string(named) + "\"; it can be none, avx2 or avx512";
 }
 
 int parse_and_run(int argc, char** argv, const std::vector<AddCommands>& parts) {
@@ -38,6 +49,7 @@ int parse_and_run(int argc, char** argv, const std::vector<AddCommands>& parts) 
   }
   if (const std::string fault = unreadable(argc, argv); !fault.empty())
     return fail("furrow: error: " + fault, bad_input);
+  if (const std::string fault = unknown_vectors(); !fault.empty()) return fail("furrow: error: " + fault, bad_input);
   if (const std::string fault = misspelt(app, argc, argv); !fault.empty())
     return fail("furrow: error: " + fault, bad_input);
   try {

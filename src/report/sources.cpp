@@ -15,9 +15,9 @@ constexpr std::array state_path{"src/physics/",          "src/system/",       "s
 
 // The watches: they may end a run, and change no number of one that comes to its end.
 constexpr std::array watches{"src/run/border_watch.", "src/run/crossing.",   "src/run/cut_lattices.",
-                             "src/run/energy_floor.", "src/run/inside_out.", "src/run/meeting.",
-                             "src/run/path.",         "src/run/step_check.", "src/run/validity.",
-                             "src/run/watched."};
+                             "src/run/energy_floor.", "src/run/idle_discs.", "src/run/inside_out.",
+                             "src/run/meeting.",      "src/run/path.",       "src/run/step_check.",
+                             "src/run/validity.",     "src/run/watched."};
 
 bool is_a_watch(const std::string& file) {
   return std::any_of(watches.begin(), watches.end(), [&](const char* watch) { return file.starts_with(watch); });

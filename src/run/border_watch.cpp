@@ -19,7 +19,13 @@ struct Standing {
 
 double low(const Box& box, bool upright) { return upright ? box.lower : box.left; }
 
-// Of the whole segments that discs touch, sorted along the axis on which they are spread more.
+// Two pieces that are further apart than two links, where one has torn, have no border between them.
+bool is_wide_open(const System& system, int link, const Standing& one) {
+  return link >= 0 && system.torn(link) &&
+         std::hypot(one.b.x - one.a.x, one.b.y - one.a.y) > 2 * system.parts().link.rest[link];
+}
+
+// Of the segments that discs touch, or did before they tore, sorted along the axis on which they are spread more.
 struct StandingBorder {
   std::vector<Standing> segments;
   Box all;
@@ -29,9 +35,9 @@ struct StandingBorder {
   StandingBorder(const System& system, double t, const State& y) {
     const BorderArrays& border = system.parts().border;
     for (const int s : system.border()) {
-      const int link = border.link[s];
-      if (border.a[s] == border.b[s] || (link >= 0 && system.torn(link))) continue;
+      if (border.a[s] == border.b[s]) continue;
       Standing one{s, node_place(system, t, y, border.a[s]), node_place(system, t, y, border.b[s]), {}};
+      if (is_wide_open(system, border.link[s], one)) continue;
       for (const Vec2 end : {one.a, one.b}) one.box.add(end), all.add(end);
       segments.push_back(one);
     }
@@ -59,6 +65,10 @@ struct StandingBorder {
 
 }  // namespace
 
+std::string through_torn_border(const System& system, const ContactId& contact) {
+  return contact_name(system.parts(), contact) + ", through its torn border";
+}
+
 BorderWatch::BorderWatch(const System& system) : system_(system) {
   const Parts& parts = system.parts();
   for (const DrivePart& d : parts.drive) drive_speed_ = std::max(drive_speed_, std::hypot(d.vx, d.vy));
@@ -67,6 +77,7 @@ BorderWatch::BorderWatch(const System& system) : system_(system) {
 
 const std::vector<ContactId>& BorderWatch::crossings(const Step& step, bool border_is_new) {
   crossed_.clear();
+  through_torn_.clear();
   if (system_.border().empty() || system_.parts().disc.count() == 0 || !(step.h > 0)) return crossed_;
   constexpr double rounded_up = 1 + 1e-6;
   const double closer = 2 * rounded_up * std::max(std::sqrt(step.motion.moved_squared), drive_speed_ * step.h);
@@ -80,9 +91,10 @@ const std::vector<ContactId>& BorderWatch::crossings(const Step& step, bool bord
   for (const Pair& pair : near_) {
     const ContactId contact{disc_lattice, pair.disc, lattice[pair.segment]};
     const auto same = [&](const ContactId& c) { return c.a == contact.a && c.b == contact.b; };
-    if (std::any_of(crossed_.begin(), crossed_.end(), same)) continue;
-    if (crosses_segment(system_, step, path_of_body(system_, step, pair.disc), pair.segment))
-      crossed_.push_back(contact);
+    const int link = system_.parts().border.link[pair.segment];
+    std::vector<ContactId>& found = link >= 0 && system_.torn(link) ? through_torn_ : crossed_;
+    if (std::any_of(found.begin(), found.end(), same)) continue;
+    if (crosses_segment(system_, step, path_of_body(system_, step, pair.disc), pair.segment)) found.push_back(contact);
   }
   return crossed_;
 }

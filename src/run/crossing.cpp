@@ -29,8 +29,7 @@ double side_of(Vec2 a, Vec2 b, Vec2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y
 
 bool crosses_segment(const System& system, const Step& s, const Path& point, int segment) {
   const BorderArrays& border = system.parts().border;
-  const int link = border.link[segment];
-  if (border.a[segment] == border.b[segment] || (link >= 0 && system.torn(link))) return false;
+  if (border.a[segment] == border.b[segment]) return false;
   const auto ends = [&](double t, const State& y) {
     return Path{node_place(system, t, y, border.a[segment]), node_place(system, t, y, border.b[segment])};
   };
@@ -148,21 +147,63 @@ Box box_of(const Path& path) {
   return box;
 }
 
+// The ways of the nodes of a lattice in a step, sorted along the axis on which it is spread more: those that meet a box stand
+// together there.
+struct SortedWays {
+  struct Way {
+    int node;
+    Box box;
+  };
+  std::vector<Way> ways;
+  bool upright = false;
+  double widest = 0;  // m, along that axis
+
+  double low(const Box& box) const { return upright ? box.lower : box.left; }
+  double high(const Box& box) const { return upright ? box.upper : box.right; }
+  void add(int node, const Box& box) {
+    ways.push_back({node, box});
+    widest = std::max(widest, high(box) - low(box));
+  }
+  void sort() {
+    std::sort(ways.begin(), ways.end(), [this](const Way& p, const Way& q) {
+      return low(p.box) < low(q.box) || (low(p.box) == low(q.box) && p.node < q.node);
+    });
+  }
+  template <class Visit>
+  void for_each_meeting(const Box& box, const Visit& visit) const {
+    auto way = std::lower_bound(ways.begin(), ways.end(), low(box) - widest,
+                                [this](const Way& one, double bound) { return low(one.box) < bound; });
+    for (; way != ways.end() && low(way->box) <= high(box); ++way)
+      if (box.meets(way->box)) visit(way->node);
+  }
+};
+
 // Where the nodes of each lattice are in a step, and which are there together.
 struct Ways {
   std::vector<Path> node;
   std::vector<Box> lattice;
-  std::vector<int> first;  // node of each lattice, and one more
+  std::vector<SortedWays> sorted;  // of each lattice
 
-  Ways(const System& system, const Step& s) : lattice(system.parts().lattice.size()) {
+  Ways(const System& system, const Step& s)
+      : lattice(system.parts().lattice.size()), sorted(system.parts().lattice.size()) {
     const NodeArrays& nodes = system.parts().node;
     for (int n = 0; n < nodes.count(); ++n) {
       node.push_back({node_place(system, s.t - s.h, s.before, n), node_place(system, s.t, s.after, n)});
       lattice[nodes.lattice[n]].add(node.back().from);
       lattice[nodes.lattice[n]].add(node.back().to);
-      while (static_cast<int>(first.size()) <= nodes.lattice[n]) first.push_back(n);
     }
-    first.push_back(nodes.count());
+  }
+
+  // Only of the lattices whose nodes are asked for.
+  void sort(const NodeArrays& nodes, const std::vector<std::vector<int>>& asked) {
+    std::vector<bool> wanted(lattice.size());
+    for (const std::vector<int>& others : asked)
+      for (const int other : others) wanted[other] = true;
+    for (std::size_t k = 0; k < lattice.size(); ++k)
+      sorted[k].upright = lattice[k].upper - lattice[k].lower > lattice[k].right - lattice[k].left;
+    for (int n = 0; n < nodes.count(); ++n)
+      if (wanted[nodes.lattice[n]]) sorted[nodes.lattice[n]].add(n, box_of(node[n]));
+    for (SortedWays& one : sorted) one.sort();
   }
 
   std::vector<std::vector<int>> together(bool with_itself) const {
@@ -181,21 +222,23 @@ CrossingBorders passed_borders(const System& system, const Step& s, bool of_thei
   const BorderArrays& border = system.parts().border;
   CrossingBorders found;
   if (system.parts().lattice.size() < 2 && !of_their_own) return found;
-  const Ways ways(system, s);
+  Ways ways(system, s);
   const std::vector<std::vector<int>> others = ways.together(of_their_own);
+  ways.sort(system.parts().node, others);
   for (const int segment : system.border()) {
     const int link = border.link[segment], own = border.lattice[segment];
-    if (others[own].empty() || (link >= 0 && system.parts().link.kind[link] == LinkClass::shear)) continue;
+    if (others[own].empty()) continue;
+    if (link >= 0 && (system.torn(link) || system.parts().link.kind[link] == LinkClass::shear)) continue;
     Box box = box_of(ways.node[border.a[segment]]);
     box.add(ways.node[border.b[segment]].from);
     box.add(ways.node[border.b[segment]].to);
     for (const int other : others[own]) {
       if (!box.meets(ways.lattice[other])) continue;
-      for (int n = ways.first[other]; n < ways.first[other + 1]; ++n) {
-        if (n == border.a[segment] || n == border.b[segment] || !box.meets(box_of(ways.node[n]))) continue;
-        if (!crosses_segment(system, s, ways.node[n], segment)) continue;
+      ways.sorted[other].for_each_meeting(box, [&](int n) {
+        if (n == border.a[segment] || n == border.b[segment]) return;
+        if (!crosses_segment(system, s, ways.node[n], segment)) return;
         if (++found.pairs == 1) found.where = names_of(system, std::min(own, other), std::max(own, other));
-      }
+      });
     }
   }
   return found;

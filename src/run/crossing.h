@@ -17,7 +17,7 @@ std::string lattice_name(const System& system, int lattice);
 // are kept, in a step that began too far away to be on one.
 bool crosses_plate(const System& system, const Step& step, const ContactId& contact);
 
-// Whether a point crossed the border segment while whole.
+// Whether a point crossed the border segment, be it torn or whole.
 bool crosses_segment(const System& system, const Step& s, const Path& point, int segment);
 
 // Pairs of border segments that cross each other, of two lattices or of one, and of what the first are.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "methods/method.h"
-#include "run/crossing.h"
 #include "run/energy_floor.h"
 #include "run/stiffness.h"
 #include "scene/wording.h"
@@ -32,7 +31,7 @@ constexpr std::array<Rule, watch_kinds> rules{{
     {WatchKind::through_plates, "through_plates", 0, 0, "centres that have crossed the middle of a plate: ", ""},
     {WatchKind::through_lattices, "through_lattices", 0, 0, "centres that have crossed the border of a lattice: ", ""},
     {WatchKind::crossing_lattices, "crossing_lattices", 0, infinity,
-     "lattices reach through each other or themselves; crossings of borders and cells inside out: ", ""},
+     "lattices reach through each other or themselves, or a plate through one; crossings and cells inside out: ", ""},
     {WatchKind::impact, "impact", 1, infinity, "a contact has ",
      " times the energy that carries the one through the other"},
     {WatchKind::step, "step", 0.5, infinity, "the step is ", " times the largest stable one"},
@@ -91,6 +90,7 @@ void Validity::history(HistoryVisitor& visit) {
   visit("seen at", stiffest_->seen_at);
   start_.history(visit);
   visit("supplied", supplied_);
+  visit("all supplied", all_supplied_);
   visit("most lost", most_lost_);
   visit("plate power", plate_power_);
   visit("since booked", since_booked_);
@@ -100,6 +100,7 @@ void Validity::history(HistoryVisitor& visit) {
   visit("passed", passed_);
   visit("stepped overlap", stepped_overlap_);
   visit("stepped contacts", stepped_contacts_);
+  idle_.history(visit);
   stiffest_->part.history(visit);
   visit("stiffest at", stiffest_->time);
   visit("judged rate", stiffest_->judged_rate);
@@ -141,6 +142,7 @@ void Validity::see(const Step& given, const JumpReport& report) {
   const bool goes_on = given.h > 0 && std::fabs(given.t - given.h - stiffest_->seen_at) < 1e-6 * given.h;
   const Step step{given.t, goes_on ? given.t - stiffest_->seen_at : given.h, given.before, given.after, given.motion};
   stiffest_->seen_at = given.t;
+  state_ = &given.after;
   const Survey& survey = *report.survey;
   look_at_speed(step);
   look_at_plates(step.t, survey);
@@ -204,6 +206,8 @@ void Validity::look_for_crossings(const Step& step, const JumpReport& report) {
     if (crosses_plate(system_, step, near)) crossed(WatchKind::through_plates, near);
   for (const ContactId& disc : border_.crossings(step, !report.torn.empty()))
     crossed(WatchKind::through_lattices, disc);
+  for (const ContactId& disc : border_.through_torn())
+    look(WatchKind::crossing_lattices, step.t, ++passed_, [&] { return through_torn_border(system_, disc); });
 }
 
 void Validity::look_at_borders(const Step& step) {
@@ -214,14 +218,12 @@ void Validity::look_at_borders(const Step& step) {
     passed_ += now.pairs;
     look(WatchKind::crossing_lattices, step.t, passed_, [&] { return now.where; });
   }
-  way_since_crossed_ += way;
-  if (started_ && ++since_crossed_ < borders_every && !(way_since_crossed_ > least_spacing_ / 4)) return;
+  way_since_crossed_ += way + plate_speed_ * step.h;
+  if (started_ && ++since_crossed_ < borders_every && !(way_since_crossed_ > least_crossing_ / 4)) return;
   since_crossed_ = 0;
   way_since_crossed_ = 0;
-  const CrossingBorders found = crossing_borders(system_, step.t, step.after);
-  const CrossingBorders turned = cells_inside_out(system_, step.t, step.after);
-  look(WatchKind::crossing_lattices, step.t, found.pairs + turned.pairs,
-       [&] { return found.pairs > 0 ? found.where : turned.where; });
+  const CrossingBorders found = standing_crossings(system_, step.t, step.after);
+  look(WatchKind::crossing_lattices, step.t, found.pairs, [&] { return found.where; });
 }
 
 void Validity::look_at_step(const Step& step, const Survey& survey) {
@@ -274,14 +276,16 @@ void Validity::judge_row(double t, const Observation& seen) {
 
 void Validity::judge_energy(double t, const Observation& seen, bool early) {
   const Energies& e = seen.energy;
-  if (!started_) start_ = e;
-  supplied_ = std::max(supplied_, e.supplied(start_) + plate_power_ * step_);
+  if (!started_) start_ = e, idle_.begin(system_, state_);
+  const double idle = idle_.kinetic(system_, state_), given = e.supplied(start_) + plate_power_ * step_;
+  all_supplied_ = std::max(all_supplied_, given);
+  supplied_ = std::max(supplied_, given - idle);
   most_lost_ = started_ ? std::max(most_lost_, e.lost()) : e.lost();
   const double residual = e.residual(start_), taken_back = most_lost_ - e.lost();
-  const double by_law = e.live() - supplied_;
+  const double by_law = e.live() - idle - supplied_;
   const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
   if (!(supplied_ > 0)) return;
-  const double rough = early ? 2 * (supplied_ - start_.live()) / static_cast<double>(balanced_steps_) : 0;
+  const double rough = early ? 2 * (all_supplied_ - start_.live()) / static_cast<double>(balanced_steps_) : 0;
   const auto judge = [&](WatchKind kind, double energy, const char* where) {
     const double share = (energy - rough) / supplied_;
     if (energy > nothing && (!early || share > of(kind).ends_above)) look(kind, t, share, [&] { return where; });

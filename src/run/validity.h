@@ -2,7 +2,8 @@
 //
 //   watch            measured                                                     warns above   ends the run above
 //   energy_made      residual of the ledger and heat that was taken back, or what      0.01            0.1
-//                    there is beyond what was given; of all that the scene was given
+//                    there is beyond what was given; of all that the scene was given,
+//                    but for discs that have met nothing
 //   energy_lost      the residual, where energy is missing                                0.01            1
 //   overlap          of the smaller radius                                            0.1             1
 //   behind_walls     discs whose centres are behind a wall, at once                    0              0
@@ -10,7 +11,8 @@
 //   through_lattices centres that crossed a whole border segment                       0              0
 //   crossing_lattices pairs of border segments that cross, of two lattices or of one,   0               -
 //                    which do not touch each other, and cells that are inside out or
-//                    folded over; or nodes that have crossed another lattice's border
+//                    folded over; or nodes that have crossed another lattice's border;
+//                    or border segments that go through a plate
 //   impact           energy of a contact, of what carries the one through the other   1               -
 //   step             step, of the largest stable one at the contacts that are there   0.5             -
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -
@@ -22,9 +24,9 @@
 // Energy is looked at at each step of up to 8 bodies, at every n-th of n + 7, at every 200th at least, and at the end:
 // what was made for good stays in the residual, and of what comes and goes within a contact one of n pairs has an n-th. So
 // in a large scene the worst within a contact may lie between two looks. Every 25 steps at least once there was a warning,
-// and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, and whenever
-// something may have moved by a quarter of a spacing since; lattices that pass each other at each step; the step when
-// contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by the
+// and in the first 200, where only what ends a run is judged. Crossing lattices every 50 steps, and whenever something may
+// have moved by a quarter of a spacing, or of a plate's size, since; lattices that pass each other at each step; the step
+// when contacts have come or deepened by a tenth and the fastest rate has grown by a quarter, and once at the end by the
 // fastest that there was; all else at each step.
 #pragma once
 
@@ -35,6 +37,8 @@
 #include <string>
 
 #include "run/border_watch.h"
+#include "run/cut_lattices.h"
+#include "run/idle_discs.h"
 #include "run/observe.h"
 
 namespace furrow {
@@ -148,18 +152,22 @@ class Validity {
   double plate_speed_ = 0;  // m/s, of the fastest
   bool started_ = false;
   Energies start_;
-  double supplied_ = 0;      // J, the most so far
-  double most_lost_ = 0;     // J, heat and the like, so far
-  double plate_power_ = 0;   // W, of the last step
-  long since_booked_ = 0;    // steps
-  long balanced_steps_ = 0;  // since the start
-  long balance_every_ = 1;   // steps
+  IdleDiscs idle_;
+  const State* state_ = nullptr;  // of the run, which outlives it; it stands where it was seen last
+  double supplied_ = 0;           // J, the most so far, of what has met something
+  double all_supplied_ = 0;       // J, with the discs in free flight
+  double most_lost_ = 0;          // J, heat and the like, so far
+  double plate_power_ = 0;        // W, of the last step
+  long since_booked_ = 0;         // steps
+  long balanced_steps_ = 0;       // since the start
+  long balance_every_ = 1;        // steps
   BorderWatch border_;
-  long since_crossed_ = 0;                             // steps
-  double way_since_crossed_ = 0;                       // m, of the fastest
-  double least_spacing_ = infinity;                    // m, of a lattice
-  int passed_ = 0;                                     // nodes that crossed another lattice's border, so far
-  double stepped_overlap_ = 0, stepped_contacts_ = 0;  // when the step was looked at last
+  long since_crossed_ = 0;                                       // steps
+  double way_since_crossed_ = 0;                                 // m, of the fastest
+  double least_spacing_ = infinity;                              // m, of a lattice
+  double least_crossing_ = least_crossing_way(system_.parts());  // m, the least way on which a crossing can be seen
+  int passed_ = 0;                                               // nodes that crossed another lattice's border, so far
+  double stepped_overlap_ = 0, stepped_contacts_ = 0;            // when the step was looked at last
   struct Stiffest;
   std::unique_ptr<Stiffest> stiffest_;  // that there was, and by which the step was judged
   double arrival_speed_ = 0;            // m/s, the same

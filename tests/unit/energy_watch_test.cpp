@@ -104,5 +104,25 @@ TEST(EnergyWatch, AnObliqueImpactWithoutItMakesNone) {
   }
 }
 
+// A ball that a coarse step throws back too fast or too slowly. What flies beside it and meets nothing, however heavy and
+// fast, is no measure of that.
+TEST(EnergyWatch, WhatMeetsNothingHidesNothing) {
+  for (const auto& [method, step] : {std::pair{"odeint_abm1", 2.4e-4}, {"rk4", 1e-3}}) {
+    Scene scene = empty_scene();
+    scene.material[0].young = 1e9;
+    scene.wall = {wall({0, 0}, {0, 1})};
+    scene.disc = {disc({0, 0.0101}, 0.01, {0, -0.2})};
+    const WatchedRun alone = watched(allowing_all(scene), method, step, 0.05);
+    scene.disc.push_back(disc({50, 50}, 3, {0.5, 1}));
+    const WatchedRun beside = watched(allowing_all(scene), method, step, 0.05);
+    double worst = 0;
+    for (const WatchKind kind : {WatchKind::energy_made, WatchKind::energy_lost}) {
+      EXPECT_NEAR(beside.of(kind).worst, alone.of(kind).worst, 1e-6 * alone.of(kind).worst) << method;
+      worst = std::max(worst, alone.of(kind).worst);
+    }
+    EXPECT_GT(worst, 0.1) << method << ": or nothing was tried";
+  }
+}
+
 }  // namespace
 }  // namespace furrow
