@@ -61,6 +61,16 @@ TEST_F(Input, OptionsThatSetOneKeyTwiceAreRefusedNotDropped) {
 }
 
 // As a variable of a shell that is not set leaves it: no default, no file beside, and nothing is run before it is said.
+TEST_F(Input, AVectorWidthThatIsMisspeltIsRefusedNotAnother) {
+  for (const char* wrong : {"None", "foo", "''", "avx", "sse2"}) {
+    const Result r = furrow("methods", std::string("FURROW_VECTORS=") + wrong);
+    EXPECT_EQ(r.code, 2) << wrong;
+    EXPECT_NE(r.err.find("it can be none, avx2 or avx512"), std::string::npos) << r.err;
+  }
+  for (const char* right : {"none", "avx2", "avx512"})
+    EXPECT_EQ(furrow("methods", std::string("FURROW_VECTORS=") + right).code, 0) << right;
+}
+
 TEST_F(Input, AnEmptyValueIsRefusedNotTheDefault) {
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out ''", "--out: must not be empty");
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --resume ''", "--resume: must not be empty");

@@ -1,10 +1,13 @@
 // How a bed settles: when it counts as settled, what settles twice, and where its surface is.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "output/warnings.h"
 #include "run/observe.h"
 #include "run/prepare.h"
+#include "scene/read.h"
 #include "scenes.h"
 
 namespace furrow {
@@ -234,6 +237,31 @@ TEST(Settling, AThrownDiscIsNotSettledAtTheTopOfItsWay) {
     scene.settle->limit = 1;  // it is back on the floor after 1.1 s
     EXPECT_THROW(prepare(scene), Divergence) << step;
   }
+}
+
+// What is said of a plate whose place the scene gives is said of one that gets the same place from the bed.
+TEST(Settling, APlateAtAWorkingDepthIsWarnedOfAsOneThatStandsThere) {
+  Scene scene = bed();
+  scene.time.end = 1;
+  Lattice held = lattice({0.1, 0}, 3, 2, 0.01);
+  held.fixed_rows = {0, 1, 2};
+  scene.lattice = {held};
+  Plate deep = plate({0.02, 0}, 0.004, 0.1, {0.3, 0});
+  deep.lower_edge.reset();
+  deep.working_depth = 0.03;
+  scene.plate = {deep};
+  const Prepared p = prepare(scene);
+  Scene stands = scene;
+  stands.plate[0].working_depth.reset();
+  stands.plate[0].lower_edge = p.scene.plate[0].lower_edge;
+  std::vector<std::string> expected = scene_warnings(stands);
+  const std::vector<std::string> before = scene_warnings(scene);
+  std::erase_if(expected, [&](const std::string& warning) {
+    return !warning.starts_with("plate[") || std::find(before.begin(), before.end(), warning) != before.end();
+  });
+  ASSERT_FALSE(expected.empty()) << "it goes through held nodes";
+  EXPECT_EQ(warnings_of_lowered_plates(scene, p.scene), expected);
+  EXPECT_TRUE(warnings_of_lowered_plates(stands, stands).empty()) << "said before";
 }
 
 }  // namespace
