@@ -35,12 +35,16 @@ try:
 except ImportError:
     numpy = None
 
-__all__ = ["Error", "ProgramNotFound", "RunFailed", "Table", "Run", "Member", "program", "load", "to_toml", "run", "read",
+__all__ = ["Error", "WrongType", "ProgramNotFound", "RunFailed", "Table", "Run", "Member", "program", "load", "to_toml", "run", "read",
            "check", "keys", "ensemble", "plot_force", "plot_frame"]
 
 
 class Error(Exception):
     """All errors of this module."""
+
+
+class WrongType(Error, TypeError):
+    """A value is of a type that its key cannot take."""
 
 
 class ProgramNotFound(Error):
@@ -110,7 +114,15 @@ def _text(text):
     return text
 
 
-def _value(value):
+def _items(key, value):
+    """The values of a list, tuple, range or array. What else can be gone through may have no order, or be no list of values."""
+    is_array = all(hasattr(value, name) for name in ("__array__", "tolist", "ndim")) and value.ndim > 0
+    if is_array or isinstance(value, (list, tuple, range)):
+        return list(value)
+    raise WrongType(f"{key} is no list but a {type(value).__name__}: {value!r}; give a list, a tuple, a range or an array")
+
+
+def _value(value, key="a key"):
     if isinstance(value, str):
         return json.dumps(_text(value), ensure_ascii=False)
     if isinstance(value, bool) or numpy and isinstance(value, numpy.bool_):
@@ -120,8 +132,8 @@ def _value(value):
     if isinstance(value, numbers.Real):
         return repr(float(value))
     if hasattr(value, "__iter__") and not isinstance(value, dict):
-        return "[" + ", ".join(map(_value, value)) + "]"
-    raise Error(f"a scene cannot hold a {type(value).__name__}: {value!r}")
+        return "[" + ", ".join(_value(item, key) for item in _items(key, value)) + "]"
+    raise WrongType(f"{key}: a scene cannot hold a {type(value).__name__}: {value!r}")
 
 
 def _is_table_list(value):
@@ -138,7 +150,7 @@ def to_toml(scene, _path=""):
         elif _is_table_list(value):
             tables += "".join(f"\n[[{path}]]\n" + to_toml(item, path) for item in value)
         elif value is not None:
-            values += f"{key} = {_value(value)}\n"
+            values += f"{key} = {_value(value, path)}\n"
     return values + tables
 
 
@@ -510,7 +522,7 @@ def _require_once(keys):
 def _settings(set):
     _require_once(set or {})
     return [word for key, value in (set or {}).items()
-            for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value)}"))]
+            for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value, key)}"))]
 
 
 def _require_name(out):
@@ -556,8 +568,8 @@ class Member:
 
 def _values(key, values):
     if isinstance(values, str) or not hasattr(values, "__iter__"):
-        raise Error(f"{key} is not varied over a list: {values!r}; give a list of values")
-    values = list(values)
+        raise WrongType(f"{key} is not varied over a list: {values!r}; give a list of values")
+    values = _items(key, values)
     if not values:
         raise Error(f"the list of {key} is empty, so there is nothing to run; give it a value, or leave it out")
     return values
@@ -633,6 +645,8 @@ def plot_force(runs, axes=None, against="displacement", component="F", plate=Non
     labels  one for each; those of an ensemble are its parameters where none are given
     """
     import matplotlib.pyplot
+    if isinstance(runs, (set, frozenset, dict)):
+        raise WrongType(f"the curves of a {type(runs).__name__} have no order: give a list of runs")
     runs = [runs] if isinstance(runs, (Run, Member)) else list(runs)
     if not runs:
         raise Error("there is no run to draw")

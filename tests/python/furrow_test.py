@@ -44,6 +44,20 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(furrow.Error, "cannot hold a object"):
             furrow.to_toml({"a": object()})
 
+    def test_what_has_no_order_or_is_no_list_is_an_error_that_names_the_key(self):
+        for value in ({0, 0.02}, frozenset((1, 2)), b"ab", bytearray(b"ab"), iter([1, 2]), {1: 2}.keys(), (k for k in (1, 2))):
+            word = re.escape(type(value).__name__)
+            for key, made in (("disc[0].position", lambda: furrow.run(DISC, {"disc[0].position": value})),
+                              ("plate.at", lambda: furrow.to_toml({"plate": {"at": [value]}})),
+                              ("time.step", lambda: list(furrow.ensemble(DISC, {"time.step": value}))),
+                              ("seeds", lambda: list(furrow.ensemble(PACKED, seeds=value)))):
+                with self.subTest(key, type=word), self.assertRaisesRegex(TypeError, f"^{re.escape(key)} is no list but a {word}"):
+                    made()
+        with self.assertRaisesRegex(TypeError, "^a.b: a scene cannot hold a complex"):
+            furrow.to_toml({"a": [{"b": 1j}]})
+        self.assertEqual(tomllib.loads(furrow.to_toml({"a": (1, 2), "b": range(3), "c": [(1, 2), [3]]})),
+                         {"a": [1, 2], "b": [0, 1, 2], "c": [[1, 2], [3]]})
+
     def test_a_text_that_no_file_holds_is_an_error(self):
         for scene in ({"title": "a \ud800"}, {"\udc80": 1}, {"a": {"b": ["\udfff"]}}, {"a": [{"\ud800": {"b": 1}}]}):
             with self.subTest(scene), self.assertRaisesRegex(furrow.Error, "a text that UTF-8 cannot"):
@@ -418,7 +432,7 @@ class Ensembles(unittest.TestCase):
 
     def test_with_nothing_to_run_it_is_an_error(self):
         for words, given in (("the list of time.step is empty", {"vary": {"time.step": []}}),
-                             ("the list of time.step is empty", {"vary": {"time.end": [0.1], "time.step": iter(())}}),
+                             ("the list of time.step is empty", {"vary": {"time.end": [0.1], "time.step": ()}}),
                              ("the list of seeds is empty", {"seeds": []}),
                              ("time.step is not varied over a list: 0.1", {"vary": {"time.step": 0.1}}),
                              ("time.method is not varied over a list: 'pece'", {"vary": {"time.method": "pece"}}),
@@ -491,7 +505,7 @@ class WithOtherPackages(unittest.TestCase):
     def test_what_has_no_curve_is_named(self):
         failed = furrow.ensemble(FIRST, {"time.step": [0.01]}, keep_failures=True)
         for given, wanted in ((failed, r"the member \{'time.step': 0.01\} has no run to draw: furrow ended with exit code 3"),
-                              ([], "no run to draw"), (["scene.toml"], "a str is no run")):
+                              ([], "no run to draw"), ({1}, "the curves of a set have no order"), (["scene.toml"], "a str is no run")):
             with self.assertRaisesRegex(furrow.Error, wanted):
                 furrow.plot_force(given)
 
@@ -512,6 +526,18 @@ class WithOtherPackages(unittest.TestCase):
         import numpy
         scene = {"a": numpy.float64(0.1), "b": numpy.int32(3), "c": numpy.array([1.5, 2.0]), "d": numpy.bool_(True)}
         self.assertEqual(tomllib.loads(furrow.to_toml(scene)), {"a": 0.1, "b": 3, "c": [1.5, 2.0], "d": True})
+
+    def test_arrays_are_lists(self):
+        import numpy
+        import pandas
+        for values in (numpy.array([1e-6, 2e-6]), pandas.Series([1e-6, 2e-6]), pandas.Index([1e-6, 2e-6])):
+            with self.subTest(type(values).__name__):
+                self.assertEqual(tomllib.loads(furrow.to_toml({"a": values})), {"a": [1e-6, 2e-6]})
+                self.assertEqual(furrow._values("time.step", values), [1e-6, 2e-6])
+        self.assertEqual(furrow._value(numpy.array([[0, 1], [2, 3]])), "[[0, 1], [2, 3]]")
+        for value in (numpy.array(1j), pandas.DataFrame({"a": [1]}), numpy.bytes_(b"ab")):
+            with self.subTest(type(value).__name__), self.assertRaisesRegex(TypeError, "^k: |^k is no list"):
+                furrow._value(value, "k")
 
 
 if __name__ == "__main__":
