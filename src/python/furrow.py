@@ -80,6 +80,12 @@ def program():
     raise ProgramNotFound(what + "; build it (scripts/test) or set the variable FURROW to its path")
 
 
+def _path(name):
+    """As a word for the program: one that begins with a dash would be an option."""
+    name = os.fsdecode(name)
+    return f"./{name}" if name.startswith("-") else name
+
+
 def _call(arguments, directory=None, made=None):
     words = [program(), *map(str, arguments)]
     if any("\0" in word for word in words):
@@ -157,8 +163,7 @@ def to_toml(scene, _path=""):
 def _call_with(scene, before, after=(), directory=None):
     """The program with a scene between its words; one that is a dict gets a file for the time, named "scene" in messages."""
     if not isinstance(scene, dict):
-        file = os.fspath(scene)
-        return _call([*before, f"./{file}" if str(file).startswith("-") else file, *after], directory)
+        return _call([*before, _path(scene), *after], directory)
     with tempfile.NamedTemporaryFile("w", prefix="scene_", suffix=".toml", encoding="utf-8") as file:
         file.write(to_toml(scene))
         file.flush()
@@ -172,7 +177,7 @@ def check(scene):
 
 def keys(*patterns):
     """The keys of scenes: a list of dicts with key, meaning, unit, minimum, maximum, default, example."""
-    return json.loads(_call(["keys", "--json", *patterns]).stdout)
+    return json.loads(_call(["keys", "--json", "--", *patterns]).stdout)
 
 
 # ---- outputs ----
@@ -542,7 +547,7 @@ def run(scene, set=None, out=None, resume=False, until=None):
         raise Error("a run is resumed in its directory: give out")
     settings = _settings(set)  # before there is a directory: it may be wrong
     directory = out or tempfile.mkdtemp(prefix="furrow_run_")
-    options = [*settings, "--resume" if resume else "--out", directory]
+    options = [*settings, "--resume" if resume else "--out", _path(directory)]
     options += [] if until is None else ["--until", until]
     try:
         _call_with(scene, ["run"], options, out)

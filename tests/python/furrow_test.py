@@ -203,6 +203,24 @@ class Runs(unittest.TestCase):
         with contextlib.chdir(self.place):
             self.assertEqual(furrow.check("-x.toml"), furrow.check(FIRST))
             self.assertEqual(furrow.run(pathlib.Path("-x.toml"), SHORT).json["ended"], "finished")
+            for file in (b"-x.toml", os.path.join(".", "-x.toml")):
+                self.assertEqual(furrow.check(file), furrow.check(FIRST))
+
+    def test_a_directory_whose_name_begins_with_a_dash_is_no_option(self):
+        with contextlib.chdir(self.place):
+            for out in ("-x", pathlib.Path("-y"), "--out"):
+                with self.subTest(out):
+                    self.assertEqual(furrow.run(FIRST, SHORT, out=out).directory, pathlib.Path(out))
+                    self.assertEqual(furrow.run(FIRST, out=out, resume=True, until=0.11).json["end"], 0.11)
+                    self.assertEqual(furrow.read(out).json["end"], 0.11)
+            member, = furrow.ensemble(FIRST, {"time.end": [0.1]}, out="-e")
+            self.assertEqual(member.run.directory, pathlib.Path("-e/000"))
+            with self.assertRaises(furrow.RunFailed) as caught:
+                furrow.run(FIRST, {"time.step": 0.02}, out="-failed")
+            self.assertEqual(caught.exception.directory, "-failed")
+        for pattern in ("-x", "--json", "--"):
+            with self.subTest(pattern), self.assertRaisesRegex(furrow.RunFailed, f'no key has "{pattern}" in its name'):
+                furrow.keys(pattern)
 
     def test_a_directory_without_a_run_is_an_error(self):
         with self.assertRaisesRegex(furrow.Error, "there is no run.json in it"):
