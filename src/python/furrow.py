@@ -26,6 +26,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import threading
 import tomllib
 import weakref
 import zlib
@@ -86,15 +87,25 @@ def _path(name):
     return f"./{name}" if name.startswith("-") else name
 
 
+def _stamp(directory):
+    """Tells the run.json of one run from that of the next; None if there is none."""
+    try:
+        kept = os.stat(pathlib.Path(directory) / "run.json")
+    except OSError:
+        return None
+    return kept.st_ino, kept.st_mtime_ns
+
+
 def _call(arguments, directory=None, made=None):
     words = [program(), *map(str, arguments)]
     if any("\0" in word for word in words):
         raise Error(f"a word for furrow holds a zero byte: {next(word for word in words if chr(0) in word)!r}; leave it out")
+    before = _stamp(directory) if directory and "--resume" not in words else None
     done = subprocess.run(words, capture_output=True, text=True, stdin=subprocess.DEVNULL)
     done.stderr = done.stderr.replace(made, "scene") if made else done.stderr
     if done.returncode != 0:
         message = done.stderr.strip() or f"ended by signal {-done.returncode}"
-        kept = directory if directory and (pathlib.Path(directory) / "run.json").exists() else None
+        kept = directory if directory and _stamp(directory) not in (None, before) else None
         raise RunFailed(done.returncode, message, kept)
     return done
 
@@ -584,12 +595,73 @@ def _combinations(vary):
     return [dict(zip(vary, values)) for values in itertools.product(*vary.values())]
 
 
+class _Members:
+    """The list of an ensemble in its directory: which member is which, and whether its run is of this ensemble.
+
+    A member is "planned" until its run has "finished" or "failed": what stands in its directory before is of an earlier one.
+    """
+
+    NAME, MADE_BY = "ensemble.json", "furrow.py ensemble"
+
+    def __init__(self, out, members):
+        self.directory, self.lock = pathlib.Path(out), threading.Lock()
+        self.members = [{"directory": f"{index:03d}", "parameters": parameters, "state": "planned"}
+                        for index, parameters in enumerate(members)]
+        self._refuse_others(self._earlier())
+        try:
+            self.directory.mkdir(parents=True, exist_ok=True)
+        except OSError as wrong:
+            raise Error(f"cannot make {out}: {wrong.strerror}; choose another out") from None
+        self._write()
+
+    def __getitem__(self, index):
+        return self.directory / self.members[index]["directory"]
+
+    def say(self, index, state):
+        with self.lock:
+            self.members[index]["state"] = state
+            self._write()
+
+    def _earlier(self):
+        """The names of the directories of an earlier ensemble here."""
+        file = self.directory / self.NAME
+        if not os.path.lexists(file):
+            return []
+        try:
+            kept = json.loads(file.read_bytes())
+            names = [member["directory"] for member in kept["members"]]
+            if kept["made_by"] == self.MADE_BY and not file.is_symlink() and all(re.fullmatch(r"\d{3,}", name) for name in names):
+                return names
+        except (OSError, ValueError, RecursionError, KeyError, TypeError):
+            pass
+        raise Error(f"{file} is in the way: it is no list of an ensemble; move it away, or choose another out")
+
+    def _refuse_others(self, earlier):
+        """Nothing of an earlier ensemble that this one does not replace stays among its members."""
+        wanted = {member["directory"] for member in self.members}
+        left = [name for name in earlier if name not in wanted and
+                any((self.directory / name / marker).exists() for marker in (".furrow.json", ".furrow.made"))]
+        if left:
+            names = ", ".join(left[:8] + ["..."] * (len(left) > 8))
+            raise Error(f"{self.directory} holds members of an earlier ensemble that this one has not: {names}; "
+                        "remove them, or choose another out")
+
+    def _write(self):
+        text = json.dumps({"made_by": self.MADE_BY, "members": self.members}, indent=2, ensure_ascii=False) + "\n"
+        try:
+            with tempfile.NamedTemporaryFile("w", dir=self.directory, prefix=".ensemble_", encoding="utf-8", delete=False) as file:
+                file.write(text)
+            os.replace(file.name, self.directory / self.NAME)
+        except OSError as wrong:
+            raise Error(f"cannot write {self.directory / self.NAME}: {wrong.strerror}") from None
+
+
 def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_failures=False):
     """Runs a scene over lists of parameters, side by side, and yields a Member for each in their order.
 
     vary   {"time.step": [1e-4, 5e-5], "contact.friction": [0.3, 0.5]}: every combination is run
     seeds  seeds of its packings; each combination is run with each
-    out    directory in which each member gets one of its own, 000, 001, ...
+    out    directory in which each member gets one of its own, 000, 001, ..., and ensemble.json is the list of them
     jobs   runs at once; without it as many as there are processors
     keep_failures  a run that fails is a Member with its error; without this it ends the ensemble
     """
@@ -612,8 +684,18 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
     def one(index, parameters):
         changes = dict(set or {}) | {key: value for key, value in parameters.items() if key != "seed"}
         changes |= {key: parameters["seed"] for key in seeded}
-        return run(scene, changes, pathlib.Path(out) / f"{index:03d}" if out else None)
+        if not kept:
+            return run(scene, changes)
+        state = "failed"
+        try:
+            made = run(scene, changes, kept[index])
+            state = "finished"
+            return made
+        finally:
+            kept.say(index, state)
 
+    kept = _Members(out, [{_text(key): _text(value if isinstance(value, str) else _value(value, key))
+                           for key, value in parameters.items()} for parameters in members]) if out else None
     with concurrent.futures.ThreadPoolExecutor(int(jobs or os.cpu_count() or 1)) as pool:
         futures = [pool.submit(one, index, parameters) for index, parameters in enumerate(members)]
         try:

@@ -444,6 +444,64 @@ class Ensembles(unittest.TestCase):
         self.assertIsNone(good.error)
         self.assertEqual((bad.run, bad.error.code), (None, 2))
 
+    def kept_in(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        return pathlib.Path(kept.name) / "E"
+
+    def states_in(self, place):
+        return [member["state"] for member in json.loads((place / "ensemble.json").read_text())["members"]]
+
+    def test_its_directory_has_a_list_of_its_members(self):
+        place = self.kept_in()
+        list(furrow.ensemble(PACKED, {"time.method": ["pece", "verlet"]}, seeds=[3], set={"time.end": 0.01}, out=place))
+        wanted = [{"directory": f"00{k}", "parameters": {"seed": "3", "time.method": method}, "state": "finished"}
+                  for k, method in enumerate(("pece", "verlet"))]
+        self.assertEqual(json.loads((place / "ensemble.json").read_text()),
+                         {"made_by": "furrow.py ensemble", "members": wanted})
+        self.assertEqual(sorted(os.listdir(place)), ["000", "001", "ensemble.json"])
+
+    def test_no_member_of_an_earlier_one_stays_beside_its_own(self):
+        place = self.kept_in()
+        two, one = {"time.end": [0.1, 0.11]}, {"time.end": [0.12]}
+        list(furrow.ensemble(FIRST, two, out=place))
+        (place / "notes").write_text("mine")
+        before = {file: file.read_bytes() for file in place.rglob("*") if file.is_file()}
+        with self.assertRaisesRegex(furrow.Error, "members of an earlier ensemble that this one has not: 001; remove them"):
+            list(furrow.ensemble(FIRST, one, out=place))
+        self.assertEqual({file: file.read_bytes() for file in place.rglob("*") if file.is_file()}, before)
+        list(furrow.ensemble(FIRST, two, out=place))  # the same again replaces them
+        shutil.rmtree(place / "001")
+        list(furrow.ensemble(FIRST, one, out=place))
+        self.assertEqual(sorted(os.listdir(place)), ["000", "ensemble.json", "notes"])
+        (place / "001").mkdir()
+        (place / "001/mine").write_text("mine")  # of no ensemble
+        list(furrow.ensemble(FIRST, one, out=place))
+        self.assertEqual((place / "001/mine").read_text(), "mine")
+
+    def test_what_an_earlier_one_left_in_the_place_of_a_member_is_not_called_its_run(self):
+        place = self.kept_in()
+        list(furrow.ensemble(FIRST, {"time.end": [0.1, 0.11, 0.12]}, out=place))
+        members = list(furrow.ensemble(FIRST, {"time.step": [1e-4, -1, 0.02]}, set=SHORT, out=place, jobs=1, keep_failures=True))
+        self.assertEqual(self.states_in(place), ["finished", "failed", "failed"])
+        self.assertIsNone(members[1].error.directory)  # refused: what stands there is the earlier run
+        self.assertEqual(members[2].error.directory, place / "002")
+        with self.assertRaises(furrow.RunFailed):
+            list(furrow.ensemble(FIRST, {"time.step": [-1, 1e-4, 1e-4]}, set=SHORT, out=place, jobs=1))
+        self.assertEqual(self.states_in(place)[0], "failed")
+
+    def test_a_file_that_is_no_list_of_an_ensemble_stays(self):
+        for text in ("mine", "{}", '{"made_by": "me", "members": []}', '{"made_by": "furrow.py ensemble", "members": [{"directory": "../x"}]}'):
+            place = self.kept_in()
+            place.mkdir()
+            (place / "ensemble.json").write_text(text)
+            with self.subTest(text), self.assertRaisesRegex(furrow.Error, "ensemble.json is in the way"):
+                list(furrow.ensemble(FIRST, {"time.end": [0.1]}, out=place))
+            self.assertEqual((place / "ensemble.json").read_text(), text)
+            self.assertEqual(os.listdir(place), ["ensemble.json"])
+        with self.assertRaisesRegex(furrow.Error, "cannot make .*ensemble.json/in: Not a directory"):
+            list(furrow.ensemble(FIRST, {"time.end": [0.1]}, out=place / "ensemble.json/in"))
+
     def test_seeds_need_a_packing(self):
         with self.assertRaisesRegex(furrow.Error, "this one has none"):
             list(furrow.ensemble(FIRST, seeds=[1]))
