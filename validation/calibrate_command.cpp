@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 #include "program/exit_code.h"
@@ -17,7 +18,8 @@ namespace {
 struct Options {
   std::vector<std::string> scenes, vary;
   std::string targets, directory = "calibration";
-  int points = 100, packings = 1, fresh = 5;
+  int points = 100, packings = 1;
+  std::optional<int> fresh{};
   unsigned jobs = 0;
 };
 
@@ -116,7 +118,7 @@ void add_calibrate_command(CLI::App& app, std::vector<Command>& all) {
       ->check(whole_number(1, 1000))
       ->type_name("NUMBER");
   named->add_option("--fresh", options.fresh, "further packings for the best few, for the spread of the misfit")
-      ->capture_default_str()
+      ->default_str(std::to_string(usual_fresh))
       ->check(whole_number(2, 1000))
       ->type_name("NUMBER");
   named->add_option("--jobs", options.jobs, "runs at a time (default: one a processor)")

@@ -229,6 +229,22 @@ TEST(Says, TheWordsThatMeasureReturns) {
   EXPECT_EQ(fault_of_words("first_structural_tear_place", "row 1, column 2 (fixed) to row 2, column 2"), "");
 }
 
+TEST(Curve, IsComparedWithTheComponentOfItsHeading) {
+  const Bench bench;
+  bench.put("to.toml", near_curve);
+  RunRecord run;
+  run.force = {.mm = {0, 5, 10}, .fx = {3, 3, 3}, .fy = {-4, -4, -4}, .f = {5, 5, 5}};
+  run.scene.time.end = 0.1;
+  run.scene.plate.resize(1);
+  run.scene.plate[0].velocity = {0.1, 0};
+  const std::vector<std::pair<std::string, double>> all{{"force", 5}, {"F", 5}, {"Fx", 3}, {"Fy", -4}};
+  for (const auto& one : all) {
+    bench.put("near.csv", "displacement [mm]," + one.first + " [N]\n2,1\n9,3\n");
+    EXPECT_EQ(value_of(read_targets(bench.at("to.toml"), {"twig"}).all.at(0), run), Json({one.second, one.second}))
+        << one.first;
+  }
+}
+
 TEST(Curve, IsNotContinuedBeyondTheRun) {
   RunRecord run;
   run.force = {{1, 2, 3}, {1, 2, 1}, {0, 0, 0}, {1, 2, 1}};

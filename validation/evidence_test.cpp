@@ -61,6 +61,18 @@ TEST(Evidence, AMissingStudyOrFaultFileIsNamed) {
   EXPECT_EQ(missing_evidence({}).size(), 0u) << "what was not asked for is not missing";
 }
 
+TEST(Evidence, ASceneOfThePlayersThatIsNotThereIsNamed) {
+  const Place place;
+  const fs::path there = place.path / "there.toml", absent = place.path / "best_reading/scenario_1.toml";
+  std::ofstream(there) << "title = \"a scene\"\n";
+  Evidence evidence;
+  evidence.scenes = {there, absent, place.path};
+  const std::vector<std::string> missing = missing_evidence(evidence);
+  ASSERT_EQ(missing.size(), 2u) << "a directory is no scene";
+  EXPECT_EQ(missing[0],
+            "cannot read " + absent.string() + ", whose run the players show; it comes with the source tree");
+}
+
 TEST(Evidence, WhatWasNotAskedForIsSaidWithWhatMakesIt) {
   const auto has = [](const Evidence& evidence, const std::string& words) {
     const std::vector<std::string> all = evidence_not_given(evidence);

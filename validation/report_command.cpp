@@ -121,7 +121,7 @@ struct Beside {
   std::vector<std::string> set;
   bool same_but_step = false;
   bool plays = true;   // else it is only drawn
-  std::string file{};  // under the scenes' directory; empty: the scene's own. Left out if it is not there
+  std::string file{};  // under the scenes' directory; empty: the scene's own
 };
 
 const std::vector<Beside>& runs_beside() {
@@ -155,6 +155,22 @@ const std::vector<Beside>& runs_beside() {
   return all;
 }
 
+constexpr const char* tool_that_bends = "deformable_tool.toml";
+
+fs::path file_of(const ReportOptions& options, const Beside& beside) {
+  return fs::path(options.scenes) / (beside.file.empty() ? beside.scene + ".toml" : beside.file);
+}
+
+// What the players show beside the three scenes. The page says which of them are not there.
+std::vector<fs::path> scenes_of_players(const ReportOptions& options) {
+  std::vector<fs::path> files;
+  if (!options.players) return files;
+  for (const Beside& beside : runs_beside())
+    if (!beside.file.empty()) files.push_back(file_of(options, beside));
+  files.push_back(fs::path(options.scenes) / tool_that_bends);
+  return files;
+}
+
 // A run to be made, unless the one that is there will do.
 void want(const ReportOptions& options, RunOptions one, std::vector<RunOptions>& wanted) {
   const Scene asked = requested_scene(one);  // says what is wrong with any of them before the first one starts
@@ -163,8 +179,8 @@ void want(const ReportOptions& options, RunOptions one, std::vector<RunOptions>&
 
 // The tool that bends, and with all its nodes driven, for the player.
 std::vector<OtherRun> tools(const ReportOptions& options, std::vector<RunOptions>& wanted) {
-  const fs::path file = fs::path(options.scenes) / "deformable_tool.toml", place = options.directory;
-  if (!options.players || !fs::exists(file)) return {};
+  const fs::path file = fs::path(options.scenes) / tool_that_bends, place = options.directory;
+  if (!options.players || !fs::is_regular_file(file)) return {};
   const Scene scene = requested_scene({.scene = file});
   std::string rows;
   const Lattice& tool = scene.lattice.at(0);
@@ -200,9 +216,8 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
     runs.push_back({name, directory, scene.output.frames});
     for (const Beside& beside : runs_beside()) {
       if (!options.players || beside.scene != name) continue;
-      const fs::path place = fs::path(options.directory) / beside.name,
-                     its = beside.file.empty() ? file : fs::path(options.scenes) / beside.file;
-      if (!fs::exists(its)) continue;
+      const fs::path place = fs::path(options.directory) / beside.name, its = file_of(options, beside);
+      if (!fs::is_regular_file(its)) continue;
       RunOptions one{.scene = its, .set = beside.set, .directory = place};
       if (beside.plays)
         one.set.push_back("output.frames=" + film_times(requested_scene({.scene = its}), pictures_beside));
@@ -215,8 +230,8 @@ int report_command(const ReportOptions& options, const std::vector<Study>& catal
   const int worst = run_side_by_side(wanted);
   if (worst == interrupted) return interrupted;
   std::reverse(runs.begin(), runs.end());
-  const Evidence evidence{options.checks, options.faults,  options.studies,   catalogue,
-                          now_in_utc(),   options.mutants, options.judgements};
+  const Evidence evidence{options.checks, options.faults,  options.studies,    catalogue,
+                          now_in_utc(),   options.mutants, options.judgements, scenes_of_players(options)};
   Progress progress;
   progress.begin("report", "drawing");
   write_report(directory, runs, evidence, tool);

@@ -94,6 +94,37 @@ TEST(CurveFile, HasAHeadingOfTwoNamesEachWithOneUnit) {
   EXPECT_EQ(desk.curve("displacement [m],force [N]" + points).mm, (std::vector<double>{1000, 2000}));
 }
 
+// A measured horizontal force is no magnitude.
+TEST(CurveFile, SaysByItsHeadingWhichComponentItHolds) {
+  const Desk desk;
+  const auto component = [&](const std::string& heading, const std::string& key) {
+    desk.put("curve.csv", "displacement [mm]," + heading + "\n1,2\n2,3\n");
+    const std::string text = "[[target]]\ncurve = \"curve.csv\"\ntolerance = 1.0\n";
+    try {
+      return read_targets(desk.put("to.toml", text + (key.empty() ? "" : "component = \"" + key + "\"\n")), {"stem"})
+          .all.at(0)
+          .curve->component;
+    } catch (const std::invalid_argument& fault) {
+      return std::string(fault.what());
+    }
+  };
+  for (const std::string one : {"F", "Fx", "Fy"}) {
+    EXPECT_EQ(component(one + " [N]", ""), one);
+    EXPECT_EQ(component(one + " [N]", one), one);
+    EXPECT_EQ(component("force [N]", one), one) << "the heading names none";
+    for (const std::string other : {"F", "Fx", "Fy"}) {
+      if (one == other) continue;
+      EXPECT_TRUE(component(one + " [N]", other)
+                      .ends_with("component is \"" + other + "\", but the heading of curve.csv names \"" + one +
+                                 "\": correct one of them, or leave component out"))
+          << component(one + " [N]", other);
+    }
+  }
+  EXPECT_EQ(component("force [N]", ""), "F");
+  EXPECT_EQ(component("\"fX [ N ]\"", ""), "Fx");
+  EXPECT_EQ(component("Fx [N]", "Fz").find("but the heading"), std::string::npos) << "one fault, once";
+}
+
 TEST(CurveFile, HoldsDecimalNumbers) {
   const Desk desk;
   const std::string heading = "displacement [mm],force [N]\n1,2\n";

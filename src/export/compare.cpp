@@ -49,9 +49,7 @@ class Comparison {
                  {"deviations", record_.deviations}};
     compare_early();
     compare_later();
-    if (!judged_) nothing_judged();
-    if (!exact_) say("The deck has another law than the scene, so none of this is a verdict: keys.md says where.");
-    out_.json["good"] = out_.good;
+    conclude();
     return out_;
   }
 
@@ -64,13 +62,26 @@ class Comparison {
     return (plate ? "plate " : "wall ") + (name.empty() ? std::to_string(i) : name);
   }
 
-  void judge(bool good) {
-    judged_ = true;
-    out_.good = out_.good && (good || !exact_);
+  // As it stands in the file.
+  Json judged(const std::string& what, bool good) {
+    compared_ = true;
+    if (!exact_) return {};
+    (good ? good_ : bad_).push_back(what);
+    return good;
   }
 
-  void nothing_judged() {
-    out_.good = false;
+  void conclude() {
+    if (!bad_.empty() || !good_.empty()) out_.good = bad_.empty();
+    out_.in_vain = !compared_;
+    out_.json["good"] = out_.good ? Json(*out_.good) : Json();
+    if (!compared_) say_nothing_compared();
+    if (!exact_) say("The deck has another law than the scene, so none of this is a verdict: keys.md says where.");
+    if (out_.good)
+      say("Verdict: " + std::string(*out_.good ? "good: " : "not good: ") + joined(*out_.good ? good_ : bad_) +
+          (bad_.empty() || good_.empty() ? "" : "; good: " + joined(good_)) + ". Nothing else is judged.");
+  }
+
+  void say_nothing_compared() {
     if (run_.parts == 0) return say("Nothing was compared: the scene has no plate, no wall and no link that can tear.");
     say("Nothing was compared: no plate or wall had a force up to " + shortest(early_) +
         " s; choose a longer --early.");
@@ -96,10 +107,10 @@ class Comparison {
     double theirs = 0;
     for (const EngineOutput& output : outputs_)
       theirs = std::max(theirs, greatest_force(output.forces, c, own.size() - 1));
-    if (theirs > 0) judge(false);
+    const Json good = theirs > 0 ? judged("the force on " + part(k), false) : Json();
     say("  " + part(k) + ": " +
         (theirs > 0 ? "no force in furrow, to " + newtons(theirs) + " in the engine" : "no force in either"));
-    return {{"part", part(k)}, {"greatest", 0}, {"engine", theirs}};
+    return {{"part", part(k)}, {"greatest", 0}, {"engine", theirs}, {"good", good}};
   }
 
   Json early_errors(const ForceRows& own, std::size_t k, double greatest) {
@@ -119,11 +130,12 @@ class Comparison {
       const double order = std::log(errors[n - 2] / errors[n - 1]) / std::log(ratio);
       json["order"] = order;
       line += "; order " + rounded(order, 3);
-      judge((order >= least_order && errors[n - 2] < no_force && errors.back() < most_at_least_step) ||
-            errors.back() < floor_of_error);
+      json["good"] = judged("the force on " + part(k),
+                            (order >= least_order && errors[n - 2] < no_force && errors.back() < most_at_least_step) ||
+                                errors.back() < floor_of_error);
     } else {
       line += "; for the order run it with -var refine 10 too";
-      judge(errors.back() < most_at_least_step);
+      json["good"] = judged("the force on " + part(k), errors.back() < most_at_least_step);
     }
     say(line);
     return json;
@@ -138,9 +150,11 @@ class Comparison {
     for (std::size_t k = 0; k < scene_.plate.size(); ++k) {
       const Mean ours = mean_force(own.forces, 2 * k + 1, first), theirs = mean_force(engine.forces, 2 * k + 1, first);
       if (ours.value == 0 && theirs.value == 0) continue;
-      later.push_back(
-          {{"part", part(k)}, {"furrow", {ours.value, ours.error}}, {"engine", {theirs.value, theirs.error}}});
-      say("mean push after that, " + part(k) + ": engine " + rounded(theirs.value, 4) + " +- " +
+      later.push_back({{"part", part(k)},
+                       {"furrow", {ours.value, ours.error}},
+                       {"engine", {theirs.value, theirs.error}},
+                       {"good", nullptr}});
+      say("mean push after that, no verdict, " + part(k) + ": engine " + rounded(theirs.value, 4) + " +- " +
           rounded(theirs.error, 2) + " N, furrow " + rounded(ours.value, 4) + " +- " + rounded(ours.error, 2) + " N");
     }
     out_.json["later"] = later;
@@ -163,7 +177,7 @@ class Comparison {
       theirs[system.x_of(k)] = body.at.x;
       theirs[system.y_of(k)] = body.at.y;
     }
-    out_.json["end"] = {{"bodies", engine.end.size()}, {"greatest_distance", apart}};
+    out_.json["end"] = {{"bodies", engine.end.size()}, {"greatest_distance", apart}, {"good", nullptr}};
     say("at the end, no verdict: none of " + std::to_string(engine.end.size()) + " bodies further than " +
         rounded(apart, 3) + " m from where furrow has it");
     if (discs == 0) return;
@@ -184,7 +198,7 @@ class Comparison {
         ", furrow " + std::to_string(found.furrow) + ", the same " + std::to_string(found.both) + "; up to " +
         shortest(early_) + " s engine " + std::to_string(found.engine_early) + ", furrow " +
         std::to_string(found.furrow_early) + ", each within " + rounded(found.steps, 3) + " steps");
-    if (run_.tears) judge(found.steps <= most_steps_apart);
+    out_.json["links"]["good"] = run_.tears ? judged("torn links", found.steps <= most_steps_apart) : Json();
   }
 
   const DeckRecord record_;
@@ -193,7 +207,8 @@ class Comparison {
   const std::vector<EngineOutput> outputs_;
   const double early_;  // s
   const bool exact_;
-  bool judged_ = false;
+  bool compared_ = false;
+  std::vector<std::string> good_{}, bad_{};  // what is judged
   Compared out_;
 };
 

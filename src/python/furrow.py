@@ -26,6 +26,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import threading
 import tomllib
 import weakref
 import zlib
@@ -35,12 +36,16 @@ try:
 except ImportError:
     numpy = None
 
-__all__ = ["Error", "ProgramNotFound", "RunFailed", "Table", "Run", "Member", "program", "load", "to_toml", "run", "read",
+__all__ = ["Error", "WrongType", "ProgramNotFound", "RunFailed", "Table", "Run", "Member", "program", "load", "to_toml", "run", "read",
            "check", "keys", "ensemble", "plot_force", "plot_frame"]
 
 
 class Error(Exception):
     """All errors of this module."""
+
+
+class WrongType(Error, TypeError):
+    """A value is of a type that its key cannot take."""
 
 
 class ProgramNotFound(Error):
@@ -76,15 +81,31 @@ def program():
     raise ProgramNotFound(what + "; build it (scripts/test) or set the variable FURROW to its path")
 
 
+def _path(name):
+    """As a word for the program: one that begins with a dash would be an option."""
+    name = os.fsdecode(name)
+    return f"./{name}" if name.startswith("-") else name
+
+
+def _stamp(directory):
+    """Tells the run.json of one run from that of the next; None if there is none."""
+    try:
+        kept = os.stat(pathlib.Path(directory) / "run.json")
+    except OSError:
+        return None
+    return kept.st_ino, kept.st_mtime_ns
+
+
 def _call(arguments, directory=None, made=None):
     words = [program(), *map(str, arguments)]
     if any("\0" in word for word in words):
         raise Error(f"a word for furrow holds a zero byte: {next(word for word in words if chr(0) in word)!r}; leave it out")
+    before = _stamp(directory) if directory and "--resume" not in words else None
     done = subprocess.run(words, capture_output=True, text=True, stdin=subprocess.DEVNULL)
     done.stderr = done.stderr.replace(made, "scene") if made else done.stderr
     if done.returncode != 0:
         message = done.stderr.strip() or f"ended by signal {-done.returncode}"
-        kept = directory if directory and (pathlib.Path(directory) / "run.json").exists() else None
+        kept = directory if directory and _stamp(directory) not in (None, before) else None
         raise RunFailed(done.returncode, message, kept)
     return done
 
@@ -110,7 +131,15 @@ def _text(text):
     return text
 
 
-def _value(value):
+def _items(key, value):
+    """The values of a list, tuple, range or array. What else can be gone through may have no order, or be no list of values."""
+    is_array = all(hasattr(value, name) for name in ("__array__", "tolist", "ndim")) and value.ndim > 0
+    if is_array or isinstance(value, (list, tuple, range)):
+        return list(value)
+    raise WrongType(f"{key} is no list but a {type(value).__name__}: {value!r}; give a list, a tuple, a range or an array")
+
+
+def _value(value, key="a key"):
     if isinstance(value, str):
         return json.dumps(_text(value), ensure_ascii=False)
     if isinstance(value, bool) or numpy and isinstance(value, numpy.bool_):
@@ -120,8 +149,8 @@ def _value(value):
     if isinstance(value, numbers.Real):
         return repr(float(value))
     if hasattr(value, "__iter__") and not isinstance(value, dict):
-        return "[" + ", ".join(map(_value, value)) + "]"
-    raise Error(f"a scene cannot hold a {type(value).__name__}: {value!r}")
+        return "[" + ", ".join(_value(item, key) for item in _items(key, value)) + "]"
+    raise WrongType(f"{key}: a scene cannot hold a {type(value).__name__}: {value!r}")
 
 
 def _is_table_list(value):
@@ -138,15 +167,14 @@ def to_toml(scene, _path=""):
         elif _is_table_list(value):
             tables += "".join(f"\n[[{path}]]\n" + to_toml(item, path) for item in value)
         elif value is not None:
-            values += f"{key} = {_value(value)}\n"
+            values += f"{key} = {_value(value, path)}\n"
     return values + tables
 
 
 def _call_with(scene, before, after=(), directory=None):
     """The program with a scene between its words; one that is a dict gets a file for the time, named "scene" in messages."""
     if not isinstance(scene, dict):
-        file = os.fspath(scene)
-        return _call([*before, f"./{file}" if str(file).startswith("-") else file, *after], directory)
+        return _call([*before, _path(scene), *after], directory)
     with tempfile.NamedTemporaryFile("w", prefix="scene_", suffix=".toml", encoding="utf-8") as file:
         file.write(to_toml(scene))
         file.flush()
@@ -160,7 +188,7 @@ def check(scene):
 
 def keys(*patterns):
     """The keys of scenes: a list of dicts with key, meaning, unit, minimum, maximum, default, example."""
-    return json.loads(_call(["keys", "--json", *patterns]).stdout)
+    return json.loads(_call(["keys", "--json", "--", *patterns]).stdout)
 
 
 # ---- outputs ----
@@ -510,7 +538,7 @@ def _require_once(keys):
 def _settings(set):
     _require_once(set or {})
     return [word for key, value in (set or {}).items()
-            for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value)}"))]
+            for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value, key)}"))]
 
 
 def _require_name(out):
@@ -530,7 +558,7 @@ def run(scene, set=None, out=None, resume=False, until=None):
         raise Error("a run is resumed in its directory: give out")
     settings = _settings(set)  # before there is a directory: it may be wrong
     directory = out or tempfile.mkdtemp(prefix="furrow_run_")
-    options = [*settings, "--resume" if resume else "--out", directory]
+    options = [*settings, "--resume" if resume else "--out", _path(directory)]
     options += [] if until is None else ["--until", until]
     try:
         _call_with(scene, ["run"], options, out)
@@ -556,8 +584,8 @@ class Member:
 
 def _values(key, values):
     if isinstance(values, str) or not hasattr(values, "__iter__"):
-        raise Error(f"{key} is not varied over a list: {values!r}; give a list of values")
-    values = list(values)
+        raise WrongType(f"{key} is not varied over a list: {values!r}; give a list of values")
+    values = _items(key, values)
     if not values:
         raise Error(f"the list of {key} is empty, so there is nothing to run; give it a value, or leave it out")
     return values
@@ -567,12 +595,73 @@ def _combinations(vary):
     return [dict(zip(vary, values)) for values in itertools.product(*vary.values())]
 
 
+class _Members:
+    """The list of an ensemble in its directory: which member is which, and whether its run is of this ensemble.
+
+    A member is "planned" until its run has "finished" or "failed": what stands in its directory before is of an earlier one.
+    """
+
+    NAME, MADE_BY = "ensemble.json", "furrow.py ensemble"
+
+    def __init__(self, out, members):
+        self.directory, self.lock = pathlib.Path(out), threading.Lock()
+        self.members = [{"directory": f"{index:03d}", "parameters": parameters, "state": "planned"}
+                        for index, parameters in enumerate(members)]
+        self._refuse_others(self._earlier())
+        try:
+            self.directory.mkdir(parents=True, exist_ok=True)
+        except OSError as wrong:
+            raise Error(f"cannot make {out}: {wrong.strerror}; choose another out") from None
+        self._write()
+
+    def __getitem__(self, index):
+        return self.directory / self.members[index]["directory"]
+
+    def say(self, index, state):
+        with self.lock:
+            self.members[index]["state"] = state
+            self._write()
+
+    def _earlier(self):
+        """The names of the directories of an earlier ensemble here."""
+        file = self.directory / self.NAME
+        if not os.path.lexists(file):
+            return []
+        try:
+            kept = json.loads(file.read_bytes())
+            names = [member["directory"] for member in kept["members"]]
+            if kept["made_by"] == self.MADE_BY and not file.is_symlink() and all(re.fullmatch(r"\d{3,}", name) for name in names):
+                return names
+        except (OSError, ValueError, RecursionError, KeyError, TypeError):
+            pass
+        raise Error(f"{file} is in the way: it is no list of an ensemble; move it away, or choose another out")
+
+    def _refuse_others(self, earlier):
+        """Nothing of an earlier ensemble that this one does not replace stays among its members."""
+        wanted = {member["directory"] for member in self.members}
+        left = [name for name in earlier if name not in wanted and
+                any((self.directory / name / marker).exists() for marker in (".furrow.json", ".furrow.made"))]
+        if left:
+            names = ", ".join(left[:8] + ["..."] * (len(left) > 8))
+            raise Error(f"{self.directory} holds members of an earlier ensemble that this one has not: {names}; "
+                        "remove them, or choose another out")
+
+    def _write(self):
+        text = json.dumps({"made_by": self.MADE_BY, "members": self.members}, indent=2, ensure_ascii=False) + "\n"
+        try:
+            with tempfile.NamedTemporaryFile("w", dir=self.directory, prefix=".ensemble_", encoding="utf-8", delete=False) as file:
+                file.write(text)
+            os.replace(file.name, self.directory / self.NAME)
+        except OSError as wrong:
+            raise Error(f"cannot write {self.directory / self.NAME}: {wrong.strerror}") from None
+
+
 def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_failures=False):
     """Runs a scene over lists of parameters, side by side, and yields a Member for each in their order.
 
     vary   {"time.step": [1e-4, 5e-5], "contact.friction": [0.3, 0.5]}: every combination is run
     seeds  seeds of its packings; each combination is run with each
-    out    directory in which each member gets one of its own, 000, 001, ...
+    out    directory in which each member gets one of its own, 000, 001, ..., and ensemble.json is the list of them
     jobs   runs at once; without it as many as there are processors
     keep_failures  a run that fails is a Member with its error; without this it ends the ensemble
     """
@@ -595,8 +684,18 @@ def ensemble(scene, vary=None, seeds=None, set=None, out=None, jobs=None, keep_f
     def one(index, parameters):
         changes = dict(set or {}) | {key: value for key, value in parameters.items() if key != "seed"}
         changes |= {key: parameters["seed"] for key in seeded}
-        return run(scene, changes, pathlib.Path(out) / f"{index:03d}" if out else None)
+        if not kept:
+            return run(scene, changes)
+        state = "failed"
+        try:
+            made = run(scene, changes, kept[index])
+            state = "finished"
+            return made
+        finally:
+            kept.say(index, state)
 
+    kept = _Members(out, [{_text(key): _text(value if isinstance(value, str) else _value(value, key))
+                           for key, value in parameters.items()} for parameters in members]) if out else None
     with concurrent.futures.ThreadPoolExecutor(int(jobs or os.cpu_count() or 1)) as pool:
         futures = [pool.submit(one, index, parameters) for index, parameters in enumerate(members)]
         try:
@@ -633,6 +732,8 @@ def plot_force(runs, axes=None, against="displacement", component="F", plate=Non
     labels  one for each; those of an ensemble are its parameters where none are given
     """
     import matplotlib.pyplot
+    if isinstance(runs, (set, frozenset, dict)):
+        raise WrongType(f"the curves of a {type(runs).__name__} have no order: give a list of runs")
     runs = [runs] if isinstance(runs, (Run, Member)) else list(runs)
     if not runs:
         raise Error("there is no run to draw")

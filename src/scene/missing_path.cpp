@@ -13,17 +13,25 @@ namespace fs = std::filesystem;
 
 fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-// Of a file those with the same ending.
+// Of a file those with the same ending; of one without an ending, which may be left out, all.
 std::vector<std::string> names_beside(const fs::path& path, PathKind kind) {
   std::vector<std::string> names;
   std::error_code unreadable;
   for (const auto& entry : fs::directory_iterator(folder_of(path), unreadable)) {
     const fs::path name = entry.path().filename();
-    const bool alike = kind == PathKind::directory || name.extension() == path.extension();
+    const bool alike = kind == PathKind::directory || !path.has_extension() || name.extension() == path.extension();
     if (alike && entry.is_directory(unreadable) == (kind == PathKind::directory)) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+// The one that is this but for its ending; else the nearest.
+std::string nearest_beside(const fs::path& path, PathKind kind) {
+  const std::vector<std::string> names = names_beside(path, kind);
+  for (const std::string& name : names)
+    if (!path.has_extension() && fs::path(name).stem() == path.filename()) return name;
+  return nearest_name(path.filename().string(), names);
 }
 
 // Each folder on the way may be misspelt, too.
@@ -36,7 +44,7 @@ std::optional<fs::path> nearest_path(const fs::path& missing, PathKind kind) {
     path = *folder / missing.filename();
     if (fs::exists(path, unreadable)) return path;
   }
-  const std::string name = nearest_name(path.filename().string(), names_beside(path, kind));
+  const std::string name = nearest_beside(path, kind);
   if (name.empty()) return {};
   return path.has_parent_path() ? path.parent_path() / name : fs::path(name);
 }
@@ -63,7 +71,9 @@ std::string instead_of(const fs::path& missing, PathKind kind) {
   if (!fs::is_directory(folder, unreadable))
     return "; there is no directory " + in_quotes(first_missing(folder).string()) + seen_from(folder);
   std::vector<std::string> names = names_beside(wanted, kind);
-  const std::string what = kind == PathKind::directory ? "directory" : in_quotes(wanted.extension().string()) + " file";
+  const std::string any = kind == PathKind::directory ? "directory" : "file";
+  const bool by_ending = kind == PathKind::file && wanted.has_extension();
+  const std::string what = by_ending ? in_quotes(wanted.extension().string()) + " file" : any;
   if (names.empty()) return "; there is no " + what + " in " + in_quotes(folder.string()) + seen_from(folder);
   if (names.size() > most) names.resize(most), names.emplace_back("...");
   return "; in " + in_quotes(folder.string()) + seen_from(folder) + " there are " + joined(names);

@@ -34,6 +34,16 @@ TEST_F(Calibrate, AnswersAWrongKeyInOneLineAndRunsNothing) {
   EXPECT_FALSE(has("fitted"));
 }
 
+TEST_F(Calibrate, RefusesPackingsWhereNoSceneHasOne) {
+  const std::string keys = "--vary 'lattice[0].structural.stiffness=1e3,2e3' --out fitted ";
+  for (const std::string option : {"--packings 2", "--fresh 5"}) {
+    EXPECT_EQ(calibrate(keys + option), 2);
+    EXPECT_NE(err().find("furrow: error: " + option + ": no scene has a packing"), std::string::npos) << err();
+    EXPECT_FALSE(has("fitted"));
+  }
+  EXPECT_EQ(calibrate(keys + "--packings 1"), 0) << err();
+}
+
 TEST_F(Calibrate, DoesNotWriteIntoWhatIsNotItsOwn) {
   put("fitted/runs.jsonl", "notes of mine\n");
   EXPECT_EQ(calibrate("--vary 'lattice[0].structural.stiffness=1e3,2e3' --out fitted"), 4) << err();

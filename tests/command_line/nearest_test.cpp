@@ -79,6 +79,19 @@ TEST_F(Nearest, NameOfASceneFile) {
   }
 }
 
+// It may be what was left out.
+TEST_F(Nearest, NameOfASceneFileWithoutItsEnding) {
+  put("scenes/bed.toml");
+  put("scenes/notes.md");
+  fs::create_directory(directory_ / "none");
+  const std::string here = directory_.string();
+  expect_refused("check scenes/bed", 4, "; did you mean \"scenes/bed.toml\"?");
+  expect_refused("check scens/bed", 4, "; did you mean \"scenes/bed.toml\"?");
+  expect_refused("check scenes/nowhere", 4, "; in \"scenes\", seen from \"" + here + "\" there are bed.toml, notes.md");
+  expect_refused("check none/nofile", 4, "; there is no file in \"none\", seen from \"" + here + "\"");
+  expect_refused("check none/nofile.txt", 4, "; there is no \".txt\" file in \"none\"");
+}
+
 TEST_F(Nearest, NameOfADirectoryOfARun) {
   put("runs/bed/notes.txt");
   expect_refused("view runs/bde", 4, "; did you mean \"runs/bed\"?");

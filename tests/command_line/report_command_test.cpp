@@ -151,6 +151,19 @@ TEST_F(Judging, AReportNamesWhatIsMissingAndEndsWithOne) {
   }
 }
 
+// Of the players' scenes none is there but the three; the runs of these are made.
+TEST_F(Judging, AReportNamesTheScenesThatItsPlayersLack) {
+  EXPECT_EQ(furrow("report --scenes scenes --out page --players").code, 1) << err();
+  const std::string page = text_of(directory_ / "page/index.html");
+  for (const char* name :
+       {"best_reading/scenario_1", "best_reading/scenario_2", "best_reading/scenario_3", "deformable_tool"}) {
+    const std::string lacks = "cannot read scenes/" + std::string(name) + ".toml, whose run the players show";
+    EXPECT_NE(err().find("furrow: missing on the page: " + lacks), std::string::npos) << err();
+    EXPECT_NE(page.find(lacks), std::string::npos) << name;
+  }
+  EXPECT_TRUE(has("page/scenario_1_finer/run.json"));
+}
+
 TEST_F(Judging, AReportSaysWhatItWasNotGivenAndWhatMakesIt) {
   write_checks(true);
   EXPECT_EQ(furrow("report --scenes scenes --out page --checks checks.json").code, 0) << err();

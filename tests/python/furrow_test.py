@@ -44,6 +44,20 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(furrow.Error, "cannot hold a object"):
             furrow.to_toml({"a": object()})
 
+    def test_what_has_no_order_or_is_no_list_is_an_error_that_names_the_key(self):
+        for value in ({0, 0.02}, frozenset((1, 2)), b"ab", bytearray(b"ab"), iter([1, 2]), {1: 2}.keys(), (k for k in (1, 2))):
+            word = re.escape(type(value).__name__)
+            for key, made in (("disc[0].position", lambda: furrow.run(DISC, {"disc[0].position": value})),
+                              ("plate.at", lambda: furrow.to_toml({"plate": {"at": [value]}})),
+                              ("time.step", lambda: list(furrow.ensemble(DISC, {"time.step": value}))),
+                              ("seeds", lambda: list(furrow.ensemble(PACKED, seeds=value)))):
+                with self.subTest(key, type=word), self.assertRaisesRegex(TypeError, f"^{re.escape(key)} is no list but a {word}"):
+                    made()
+        with self.assertRaisesRegex(TypeError, "^a.b: a scene cannot hold a complex"):
+            furrow.to_toml({"a": [{"b": 1j}]})
+        self.assertEqual(tomllib.loads(furrow.to_toml({"a": (1, 2), "b": range(3), "c": [(1, 2), [3]]})),
+                         {"a": [1, 2], "b": [0, 1, 2], "c": [[1, 2], [3]]})
+
     def test_a_text_that_no_file_holds_is_an_error(self):
         for scene in ({"title": "a \ud800"}, {"\udc80": 1}, {"a": {"b": ["\udfff"]}}, {"a": [{"\ud800": {"b": 1}}]}):
             with self.subTest(scene), self.assertRaisesRegex(furrow.Error, "a text that UTF-8 cannot"):
@@ -189,6 +203,24 @@ class Runs(unittest.TestCase):
         with contextlib.chdir(self.place):
             self.assertEqual(furrow.check("-x.toml"), furrow.check(FIRST))
             self.assertEqual(furrow.run(pathlib.Path("-x.toml"), SHORT).json["ended"], "finished")
+            for file in (b"-x.toml", os.path.join(".", "-x.toml")):
+                self.assertEqual(furrow.check(file), furrow.check(FIRST))
+
+    def test_a_directory_whose_name_begins_with_a_dash_is_no_option(self):
+        with contextlib.chdir(self.place):
+            for out in ("-x", pathlib.Path("-y"), "--out"):
+                with self.subTest(out):
+                    self.assertEqual(furrow.run(FIRST, SHORT, out=out).directory, pathlib.Path(out))
+                    self.assertEqual(furrow.run(FIRST, out=out, resume=True, until=0.11).json["end"], 0.11)
+                    self.assertEqual(furrow.read(out).json["end"], 0.11)
+            member, = furrow.ensemble(FIRST, {"time.end": [0.1]}, out="-e")
+            self.assertEqual(member.run.directory, pathlib.Path("-e/000"))
+            with self.assertRaises(furrow.RunFailed) as caught:
+                furrow.run(FIRST, {"time.step": 0.02}, out="-failed")
+            self.assertEqual(caught.exception.directory, "-failed")
+        for pattern in ("-x", "--json", "--"):
+            with self.subTest(pattern), self.assertRaisesRegex(furrow.RunFailed, f'no key has "{pattern}" in its name'):
+                furrow.keys(pattern)
 
     def test_a_directory_without_a_run_is_an_error(self):
         with self.assertRaisesRegex(furrow.Error, "there is no run.json in it"):
@@ -412,13 +444,71 @@ class Ensembles(unittest.TestCase):
         self.assertIsNone(good.error)
         self.assertEqual((bad.run, bad.error.code), (None, 2))
 
+    def kept_in(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        return pathlib.Path(kept.name) / "E"
+
+    def states_in(self, place):
+        return [member["state"] for member in json.loads((place / "ensemble.json").read_text())["members"]]
+
+    def test_its_directory_has_a_list_of_its_members(self):
+        place = self.kept_in()
+        list(furrow.ensemble(PACKED, {"time.method": ["pece", "verlet"]}, seeds=[3], set={"time.end": 0.01}, out=place))
+        wanted = [{"directory": f"00{k}", "parameters": {"seed": "3", "time.method": method}, "state": "finished"}
+                  for k, method in enumerate(("pece", "verlet"))]
+        self.assertEqual(json.loads((place / "ensemble.json").read_text()),
+                         {"made_by": "furrow.py ensemble", "members": wanted})
+        self.assertEqual(sorted(os.listdir(place)), ["000", "001", "ensemble.json"])
+
+    def test_no_member_of_an_earlier_one_stays_beside_its_own(self):
+        place = self.kept_in()
+        two, one = {"time.end": [0.1, 0.11]}, {"time.end": [0.12]}
+        list(furrow.ensemble(FIRST, two, out=place))
+        (place / "notes").write_text("mine")
+        before = {file: file.read_bytes() for file in place.rglob("*") if file.is_file()}
+        with self.assertRaisesRegex(furrow.Error, "members of an earlier ensemble that this one has not: 001; remove them"):
+            list(furrow.ensemble(FIRST, one, out=place))
+        self.assertEqual({file: file.read_bytes() for file in place.rglob("*") if file.is_file()}, before)
+        list(furrow.ensemble(FIRST, two, out=place))  # the same again replaces them
+        shutil.rmtree(place / "001")
+        list(furrow.ensemble(FIRST, one, out=place))
+        self.assertEqual(sorted(os.listdir(place)), ["000", "ensemble.json", "notes"])
+        (place / "001").mkdir()
+        (place / "001/mine").write_text("mine")  # of no ensemble
+        list(furrow.ensemble(FIRST, one, out=place))
+        self.assertEqual((place / "001/mine").read_text(), "mine")
+
+    def test_what_an_earlier_one_left_in_the_place_of_a_member_is_not_called_its_run(self):
+        place = self.kept_in()
+        list(furrow.ensemble(FIRST, {"time.end": [0.1, 0.11, 0.12]}, out=place))
+        members = list(furrow.ensemble(FIRST, {"time.step": [1e-4, -1, 0.02]}, set=SHORT, out=place, jobs=1, keep_failures=True))
+        self.assertEqual(self.states_in(place), ["finished", "failed", "failed"])
+        self.assertIsNone(members[1].error.directory)  # refused: what stands there is the earlier run
+        self.assertEqual(members[2].error.directory, place / "002")
+        with self.assertRaises(furrow.RunFailed):
+            list(furrow.ensemble(FIRST, {"time.step": [-1, 1e-4, 1e-4]}, set=SHORT, out=place, jobs=1))
+        self.assertEqual(self.states_in(place)[0], "failed")
+
+    def test_a_file_that_is_no_list_of_an_ensemble_stays(self):
+        for text in ("mine", "{}", '{"made_by": "me", "members": []}', '{"made_by": "furrow.py ensemble", "members": [{"directory": "../x"}]}'):
+            place = self.kept_in()
+            place.mkdir()
+            (place / "ensemble.json").write_text(text)
+            with self.subTest(text), self.assertRaisesRegex(furrow.Error, "ensemble.json is in the way"):
+                list(furrow.ensemble(FIRST, {"time.end": [0.1]}, out=place))
+            self.assertEqual((place / "ensemble.json").read_text(), text)
+            self.assertEqual(os.listdir(place), ["ensemble.json"])
+        with self.assertRaisesRegex(furrow.Error, "cannot make .*ensemble.json/in: Not a directory"):
+            list(furrow.ensemble(FIRST, {"time.end": [0.1]}, out=place / "ensemble.json/in"))
+
     def test_seeds_need_a_packing(self):
         with self.assertRaisesRegex(furrow.Error, "this one has none"):
             list(furrow.ensemble(FIRST, seeds=[1]))
 
     def test_with_nothing_to_run_it_is_an_error(self):
         for words, given in (("the list of time.step is empty", {"vary": {"time.step": []}}),
-                             ("the list of time.step is empty", {"vary": {"time.end": [0.1], "time.step": iter(())}}),
+                             ("the list of time.step is empty", {"vary": {"time.end": [0.1], "time.step": ()}}),
                              ("the list of seeds is empty", {"seeds": []}),
                              ("time.step is not varied over a list: 0.1", {"vary": {"time.step": 0.1}}),
                              ("time.method is not varied over a list: 'pece'", {"vary": {"time.method": "pece"}}),
@@ -491,7 +581,7 @@ class WithOtherPackages(unittest.TestCase):
     def test_what_has_no_curve_is_named(self):
         failed = furrow.ensemble(FIRST, {"time.step": [0.01]}, keep_failures=True)
         for given, wanted in ((failed, r"the member \{'time.step': 0.01\} has no run to draw: furrow ended with exit code 3"),
-                              ([], "no run to draw"), (["scene.toml"], "a str is no run")):
+                              ([], "no run to draw"), ({1}, "the curves of a set have no order"), (["scene.toml"], "a str is no run")):
             with self.assertRaisesRegex(furrow.Error, wanted):
                 furrow.plot_force(given)
 
@@ -512,6 +602,18 @@ class WithOtherPackages(unittest.TestCase):
         import numpy
         scene = {"a": numpy.float64(0.1), "b": numpy.int32(3), "c": numpy.array([1.5, 2.0]), "d": numpy.bool_(True)}
         self.assertEqual(tomllib.loads(furrow.to_toml(scene)), {"a": 0.1, "b": 3, "c": [1.5, 2.0], "d": True})
+
+    def test_arrays_are_lists(self):
+        import numpy
+        import pandas
+        for values in (numpy.array([1e-6, 2e-6]), pandas.Series([1e-6, 2e-6]), pandas.Index([1e-6, 2e-6])):
+            with self.subTest(type(values).__name__):
+                self.assertEqual(tomllib.loads(furrow.to_toml({"a": values})), {"a": [1e-6, 2e-6]})
+                self.assertEqual(furrow._values("time.step", values), [1e-6, 2e-6])
+        self.assertEqual(furrow._value(numpy.array([[0, 1], [2, 3]])), "[[0, 1], [2, 3]]")
+        for value in (numpy.array(1j), pandas.DataFrame({"a": [1]}), numpy.bytes_(b"ab")):
+            with self.subTest(type(value).__name__), self.assertRaisesRegex(TypeError, "^k: |^k is no list"):
+                furrow._value(value, "k")
 
 
 if __name__ == "__main__":

@@ -29,6 +29,18 @@ std::vector<Case> cases_of(const std::vector<std::filesystem::path>& files) {
   return cases;
 }
 
+// A spread over packings of scenes that have none would be that of one run, copied.
+void refuse_packings(const CalibrationRequest& request, const std::vector<Case>& cases) {
+  if (packed(cases)) return;
+  const auto refuse = [](const char* option, int count) {
+    throw std::invalid_argument(std::string(option) + " " + std::to_string(count) +
+                                ": no scene has a packing, so each setting has one run and no spread; leave it out, "
+                                "or give a scene with a packing");
+  };
+  if (request.plan.packings > 1) refuse("--packings", request.plan.packings);
+  if (request.fresh.value_or(1) > 1) refuse("--fresh", *request.fresh);
+}
+
 // What is read must not be what is written.
 void refuse_own_input(const CalibrationRequest& request, const std::vector<Case>& cases) {
   std::vector<std::filesystem::path> read = request.scenes;
@@ -108,6 +120,7 @@ Calibration calibrate(const CalibrationRequest& request) {
   result.cases = cases_of(request.scenes);
   for (const std::string& text : request.vary) result.keys.push_back(VariedKey::of(text));
   judge_keys(result.keys, result.cases);
+  refuse_packings(request, result.cases);
   std::vector<std::string> names;
   for (const Case& of : result.cases) names.push_back(of.name);
   result.targets = read_targets(request.targets, names);
@@ -117,7 +130,8 @@ Calibration calibrate(const CalibrationRequest& request) {
             [&](long made) { return !request.progress || request.progress(static_cast<double>(made), all); });
   const Evaluator evaluator(result.cases, result.keys, result.targets, runs);
   if (owned) remove_earlier_results(*owned, result.cases);
-  const Packings fresh = evaluator.packed() ? Packings{request.plan.packings, request.fresh} : Packings{0, 1};
+  const Packings fresh =
+      evaluator.packed() ? Packings{request.plan.packings, request.fresh.value_or(usual_fresh)} : Packings{0, 1};
   const int by_slopes = evaluator.packed() ? 0 : most_steps * runs_to_step(evaluator, 1);
   all = static_cast<double>(runs_of(request.plan, evaluator) + by_slopes + runs_to_identify(evaluator, fresh.count) +
                             static_cast<long>(most_candidates) * evaluator.runs_a_point(fresh.count));

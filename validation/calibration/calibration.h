@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include "report/study.h"
 #include "validation/calibration/identify.h"
@@ -10,13 +11,15 @@
 
 namespace furrow::validation {
 
+constexpr int usual_fresh = 5;
+
 struct CalibrationRequest {
   std::vector<std::filesystem::path> scenes;
   std::vector<std::string> vary;  // see VariedKey::of
   std::filesystem::path targets;
   std::filesystem::path directory;  // empty: nothing is kept
   SearchPlan plan{};
-  int fresh = 5;                                   // packings that the search has not seen, for the best few
+  std::optional<int> fresh{};  // packings that the search has not seen, for the best few; empty: the usual number
   std::function<bool(double, double)> progress{};  // (runs, of at most); false stops
 };
 
@@ -38,7 +41,7 @@ struct Calibration {
 std::vector<std::string> files_of_calibration(const std::vector<Case>& cases);
 
 // Throws what reading scenes, keys and targets throws, std::invalid_argument if one of them is a file that the
-// calibration writes, FileError if the directory is not its own, Interrupted, and what search() throws.
+// calibration writes, or if packings are asked for and no scene has one, FileError if the directory is not its own, Interrupted, and what search() throws.
 Calibration calibrate(const CalibrationRequest& request);
 
 Json json_of(const Calibration& calibration);

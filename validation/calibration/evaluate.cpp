@@ -108,6 +108,10 @@ double Point::spread() const {
   return std::sqrt(sum / static_cast<double>(misfits.size() - 1));
 }
 
+bool packed(const std::vector<Case>& cases) {
+  return std::any_of(cases.begin(), cases.end(), [](const Case& of) { return !of.scene.packing.empty(); });
+}
+
 bool whole(const Point& point) { return point.failure.empty() && point.unsaid == 0; }
 
 bool better(const Point& a, const Point& b) {
@@ -131,6 +135,15 @@ void refuse_unsaid(const Targets& targets, const std::vector<Point>& points) {
   }
 }
 
+void require_values(const Point& point, const Targets& targets, int packings) {
+  const auto wanted = static_cast<std::size_t>(packings);
+  bool fits = point.values.size() == wanted && point.misfits.size() == wanted;
+  for (const Json& values : point.values) fits = fits && values.size() == targets.all.size();
+  if (!fits)
+    throw std::logic_error("a point has the values of " + std::to_string(point.values.size()) + " packings, not of " +
+                           std::to_string(packings) + ", or not one of each target");
+}
+
 Evaluator::Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targets targets, Runs& runs)
     : cases_(std::move(cases)), keys_(std::move(keys)), targets_(std::move(targets)), runs_(runs) {
   for (const CalibrationTarget& target : targets_.all) {
@@ -140,12 +153,7 @@ Evaluator::Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targe
   }
 }
 
-bool Evaluator::packed() const {
-  for (const Case& of : cases_) {
-    if (!of.scene.packing.empty()) return true;
-  }
-  return false;
-}
+bool Evaluator::packed() const { return furrow::validation::packed(cases_); }
 
 int Evaluator::runs_a_point(int packings) const {
   int runs = 0;
@@ -173,6 +181,8 @@ Point Evaluator::at(const Setting& setting, const Packings& packings) const {
 }
 
 std::vector<Point> Evaluator::at(const std::vector<Setting>& settings, const Packings& packings) const {
+  if (packings.count != 1 && !packed())
+    throw std::logic_error("scenes without a packing have one run a setting, not " + std::to_string(packings.count));
   std::vector<Task> tasks;
   for (const Setting& setting : settings) {
     for (int p = packings.first; p < packings.first + packings.count; ++p) {

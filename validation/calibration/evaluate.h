@@ -14,6 +14,9 @@ struct Packings {
   int first = 0, count = 1;
 };
 
+// One of the scenes has a packing, so that a point has several runs to be made.
+bool packed(const std::vector<Case>& cases);
+
 struct Point {
   Setting setting;
   std::vector<Json> values;     // by packing: an array, a value a target
@@ -40,13 +43,16 @@ class NothingCompared : public std::runtime_error {
 // Throws NothingCompared if of some target no point has a value.
 void refuse_unsaid(const Targets& targets, const std::vector<Point>& points);
 
+// Throws std::logic_error unless the point has the values and misfits of so many packings, of each target one.
+void require_values(const Point& point, const Targets& targets, int packings);
+
 // What is calibrated, and how points of it are made.
 class Evaluator {
  public:
   // Throws std::invalid_argument if a target asks for what its scene does not do: a displacement that no setting reaches.
   Evaluator(std::vector<Case> cases, std::vector<VariedKey> keys, Targets targets, Runs& runs);
 
-  // Thread-safe.
+  // Thread-safe. Throws std::logic_error if scenes without a packing are asked for another number of them than one.
   Point at(const Setting& setting, const Packings& packings) const;
   // Several at once.
   std::vector<Point> at(const std::vector<Setting>& settings, const Packings& packings) const;

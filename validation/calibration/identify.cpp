@@ -72,10 +72,11 @@ Flat flat_along(const Evaluator& evaluator, const Point& best, const std::vector
   return flat;
 }
 
-// Difference of two points in each target, times `scale`.
+// Difference of two points of the same packings in each target, times `scale`.
 Effect effect_of(const Evaluator& evaluator, const Point& low, const Point& high, double scale) {
   Effect effect;
   const auto packings = static_cast<double>(low.values.size());
+  require_values(high, evaluator.targets(), static_cast<int>(low.values.size()));
   for (std::size_t k = 0; k < evaluator.targets().all.size(); ++k) {
     double sum = 0, squares = 0;
     for (std::size_t p = 0; p < low.values.size(); ++p) {
@@ -137,6 +138,7 @@ std::string words_of(const Known& known) {
 }
 
 std::optional<Point> stepped(const Evaluator& evaluator, const Point& best, const Packings& packings) {
+  require_values(best, evaluator.targets(), packings.count);
   const std::vector<std::size_t> ranged = ranged_keys(evaluator);
   if (ranged.empty() || residuals_of(evaluator, best).size() < std::ssize(ranged)) return {};
   const Vector reach = Vector::Constant(std::ssize(ranged), least_probe);
@@ -172,6 +174,7 @@ int runs_to_identify(const Evaluator& evaluator, int packings) {
 }
 
 Identified identify(const Evaluator& evaluator, const Point& best, const Packings& packings) {
+  require_values(best, evaluator.targets(), packings.count);
   Identified found;
   const std::vector<std::size_t> ranged = ranged_keys(evaluator);
   for (const std::size_t k : ranged) found.ranged.push_back(evaluator.keys()[k].name);

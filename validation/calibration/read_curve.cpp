@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,8 +26,10 @@ struct Column {
   std::vector<Unit> units;
 };
 
+constexpr const char* any_force = "force";  // names no component
+
 const Column displacement{{"displacement"}, {{"mm", 1}, {"m", 1e3}}};
-const Column force{{"force", "F", "Fx", "Fy"}, {{"N", 1}}};
+const Column force{{any_force, "F", "Fx", "Fy"}, {{"N", 1}}};
 
 std::string trimmed(const std::string& text, const char* around) {
   const std::size_t first = text.find_first_not_of(around);
@@ -58,17 +61,23 @@ std::string lower(std::string text) {
   return text;
 }
 
-// The size of the unit of "NAME [UNIT]"; 0 if the cell is not one of the headings that the column may have.
-double unit_of(const std::string& cell, const Column& column) {
+struct Heading {
+  std::string name;  // as the column has it
+  double unit = 0;   // its size
+};
+
+// Of "NAME [UNIT]", if the cell is one of the headings that the column may have.
+std::optional<Heading> heading_of(const std::string& cell, const Column& column) {
   const std::size_t open = cell.find('[');
-  if (open == std::string::npos || cell.back() != ']') return 0;
+  if (open == std::string::npos || cell.back() != ']') return {};
   const std::string name = lower(trimmed(cell.substr(0, open), " \t"));
   const std::string unit = trimmed(cell.substr(open + 1, cell.size() - open - 2), " \t");
-  if (std::none_of(column.names.begin(), column.names.end(), [&](const auto& known) { return lower(known) == name; }))
-    return 0;
+  const auto named =
+      std::find_if(column.names.begin(), column.names.end(), [&](const auto& known) { return lower(known) == name; });
   const auto found =
       std::find_if(column.units.begin(), column.units.end(), [&](const Unit& known) { return known.name == unit; });
-  return found == column.units.end() ? 0 : found->size;
+  if (named == column.names.end() || found == column.units.end()) return {};
+  return Heading{*named, found->size};
 }
 
 std::string allowed(const Column& column) {
@@ -77,12 +86,12 @@ std::string allowed(const Column& column) {
   return joined(column.names, " or ") + " in " + joined(units, " or ");
 }
 
-// How many mm and N the numbers of the two columns stand for.
-std::array<double, 2> units_in(const std::string& heading, const fs::path& file) {
+// Of displacement and force.
+std::array<Heading, 2> headings_in(const std::string& heading, const fs::path& file) {
   const std::vector<std::string> cells = cells_of(heading);
   if (cells.size() == 2) {
-    const std::array<double, 2> units{unit_of(cells[0], displacement), unit_of(cells[1], force)};
-    if (units[0] > 0 && units[1] > 0) return units;
+    const auto first = heading_of(cells[0], displacement), second = heading_of(cells[1], force);
+    if (first && second) return {*first, *second};
   }
   throw std::invalid_argument(file.string() + ":1: the heading must name two columns with one unit each, as in " +
                               in_quotes("displacement [mm],force [N]") + ", not " + in_quotes(heading) +
@@ -101,13 +110,13 @@ double cell_number(const std::string& cell, const std::string& where) {
   throw std::invalid_argument(where + ": must be two numbers, displacement and force, not " + in_quotes(cell));
 }
 
-void add_point(MeasuredCurve& curve, const std::string& line, const std::array<double, 2>& units,
+void add_point(MeasuredCurve& curve, const std::string& line, const std::array<Heading, 2>& headings,
                const std::string& where) {
   const std::vector<std::string> cells = cells_of(line);
   if (cells.size() != 2)
     throw std::invalid_argument(where + ": must be two numbers, displacement and force, not " + in_quotes(line));
-  curve.mm.push_back(units[0] * cell_number(cells[0], where));
-  curve.force.push_back(units[1] * cell_number(cells[1], where));
+  curve.mm.push_back(headings[0].unit * cell_number(cells[0], where));
+  curve.force.push_back(headings[1].unit * cell_number(cells[1], where));
   if (!std::isfinite(curve.mm.back()))
     throw std::invalid_argument(where + ": the displacement is too large for a number of 64 bits");
   if (curve.mm.back() < 0)
@@ -123,10 +132,11 @@ void read_curve(MeasuredCurve& curve, const fs::path& file) {
   std::string line;
   next_line(lines, line);
   if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // byte order mark
-  const std::array<double, 2> units = units_in(line, file);
+  const std::array<Heading, 2> headings = headings_in(line, file);
+  curve.heading = headings[1].name == any_force ? "" : headings[1].name;
   for (int k = 2; next_line(lines, line); ++k) {
     if (trimmed(line, " \t").empty()) continue;
-    add_point(curve, line, units, file.string() + ":" + std::to_string(k));
+    add_point(curve, line, headings, file.string() + ":" + std::to_string(k));
   }
   if (curve.mm.size() < 2) throw std::invalid_argument(file.string() + ": fewer than two points");
 }

@@ -7,7 +7,7 @@
 
 namespace furrow::validation {
 
-// Sets displacements (mm, rising from 0 or more) and forces (N). The heading names both columns with their units; lines
+// Sets displacements (mm, rising from 0 or more), forces (N) and `heading`. The heading names both columns with their units; lines
 // may end with CR and LF, and empty ones are passed over. Throws FileError, std::invalid_argument with file and line.
 void read_curve(MeasuredCurve& curve, const std::filesystem::path& file);
 

@@ -147,6 +147,17 @@ void read_observable(CalibrationTarget& target, Fields& fields) {
   if (is_known) judge_observable(target, fields);
 }
 
+// That which the heading of the curve names, or the key, or neither: then the magnitude.
+void read_component(MeasuredCurve& curve, Fields& fields) {
+  curve.component = fields.choice("component", components, "F");
+  if (curve.heading.empty() || curve.heading == curve.component) return;
+  const std::string given = fields.text("component");
+  if (components.contains(given))
+    fields.fault("component is " + in_quotes(given) + ", but the heading of " + curve.file + " names " +
+                 in_quotes(curve.heading) + ": correct one of them, or leave component out");
+  curve.component = curve.heading;
+}
+
 CalibrationTarget target_of(const Json& table, std::size_t number, const fs::path& file,
                             const std::vector<std::string>& scenes, std::vector<std::string>& faults) {
   Fields fields(table, file.string() + ": target " + std::to_string(number), faults);
@@ -157,10 +168,10 @@ CalibrationTarget target_of(const Json& table, std::size_t number, const fs::pat
   if (const std::string curve = fields.text("curve"); !curve.empty()) {
     target.curve.emplace();
     target.curve->file = curve;
-    target.curve->component = fields.choice("component", components, "F");
     target.curve->norm = fields.choice("norm", norms, "rms");
     target.tolerance = fields.within("tolerance", NAN, least_tolerance, most_tolerance);
     read_curve(*target.curve, file.parent_path() / curve);
+    read_component(*target.curve, fields);
   } else {
     read_observable(target, fields);
   }

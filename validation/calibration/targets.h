@@ -23,6 +23,7 @@ enum class CurveNorm {
 
 struct MeasuredCurve {
   std::string file, component = "F";  // "F", "Fx" or "Fy"
+  std::string heading{};              // the component that the heading of its file names; empty: just a force
   CurveNorm norm = CurveNorm::rms;
   std::vector<double> mm, force;  // displacement of the plate, N
 };

@@ -144,6 +144,9 @@ std::vector<std::string> missing_evidence(const Evidence& evidence) {
       for (const std::string& name : studies_of_the_page())
         note(unusable_study(evidence, name), kind.made_by + (" " + name));
   }
+  for (const fs::path& scene : evidence.scenes)
+    if (!fs::is_regular_file(scene))
+      all.push_back("cannot read " + scene.string() + ", whose run the players show; it comes with the source tree");
   return all;
 }
 

@@ -12,13 +12,14 @@ namespace furrow::validation {
 
 // Where the results are. A path that is empty was not asked for; the page says that it has none.
 struct Evidence {
-  std::filesystem::path checks;        // checks.json, written by the verification tests
-  std::filesystem::path faults;        // faults.json, written by the fault study
-  std::filesystem::path studies{};     // directory of the numbers of `furrow study`
-  std::vector<Study> catalogue{};      // whose chapters make the words
-  std::string when{};                  // of the page, UTC
-  std::filesystem::path mutants{};     // mutants.json, written by scripts/mutants
-  std::filesystem::path judgements{};  // judgements.json, written by scripts/judge
+  std::filesystem::path checks;                 // checks.json, written by the verification tests
+  std::filesystem::path faults;                 // faults.json, written by the fault study
+  std::filesystem::path studies{};              // directory of the numbers of `furrow study`
+  std::vector<Study> catalogue{};               // whose chapters make the words
+  std::string when{};                           // of the page, UTC
+  std::filesystem::path mutants{};              // mutants.json, written by scripts/mutants
+  std::filesystem::path judgements{};           // judgements.json, written by scripts/judge
+  std::vector<std::filesystem::path> scenes{};  // whose runs the players put beside the three
 };
 
 // The studies that a page shows, in the order of its parts.
