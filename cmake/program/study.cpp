@@ -80,11 +80,21 @@ void print_part(const Json& part) {
   for (const Json& row : part.at("rows")) std::printf("%s\n", row_text(row).c_str());
 }
 
+Json chapter_of(const Study& study, const Shelf& shelf, const StudyOptions& options) {
+  try {
+    return study.chapter(shelf).json();
+  } catch (const Json::exception&) {
+    throw FileError(options.directory + "/" + study.name + ".json" +
+                    ": its numbers are of an earlier form of this study; furrow study " + study.name +
+                    " makes them again");
+  }
+}
+
 // The chapter in Markdown, without its figures; runs nothing.
 int words_command(const StudyOptions& options) {
   const Shelf shelf(options.directory);
   for (const Study* study : studies_asked_for(options)) {
-    const Json chapter = study->chapter(shelf).json();
+    const Json chapter = chapter_of(*study, shelf, options);
     const bool old_times = rests_on_old_times(*study, shelf, validation::catalogue());
     std::printf("# %s\n\n%s\n\n", chapter.at("title").get<std::string>().c_str(),
                 chapter.at("question").get<std::string>().c_str());
@@ -211,8 +221,13 @@ void add_study_commands(CLI::App& app, std::vector<Command>& all) {
   show_examples(ensemble,
                 {"furrow ensemble --quick --out numbers", "furrow ensemble --few --out reference_data/studies"});
   ensemble->add_flag("--few", studied.few, "run a few packings, compare them with the kept ensemble in --out");
-  auto* statements = add_study_options(app.add_subcommand("statements", "the paper's statements, each judged"));
-  show_examples(statements, {"furrow statements --quick --out numbers"});
+  auto* statements = add_study_options(app.add_subcommand(
+      "statements",
+      "the paper's statements, each judged, with the numbers of ensemble, convergence and readings in --out"));
+  show_examples(statements, {"furrow statements --words --out reference_data/studies"});
+  auto* said =
+      statements->add_flag("--words", studied.words, "what the page says of them, without figures; runs nothing");
+  for (const char* how : {"--quick", "--jobs"}) said->excludes(statements->get_option(how));
 
   auto* golden = app.add_subcommand("golden", "run the paper's scenes and compare them to the bit with earlier runs");
   show_examples(golden, {"furrow golden --quick"});

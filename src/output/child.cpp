@@ -139,6 +139,7 @@ class Group {
 }  // namespace
 
 ChildEnd run_child(const ChildRequest& request) {
+  const std::string name = request.words[0] == "/bin/sh" ? "the command" : request.words[0];
   const MemoryFile input, output, errors;
   input.fill(request.input);
   std::vector<std::string> words = request.words;
@@ -154,16 +155,17 @@ ChildEnd run_child(const ChildRequest& request) {
   environment.push_back(nullptr);
   const double begun = wall_seconds();
   const pid_t parent = getpid(), child = fork();
-  if (child < 0) throw std::runtime_error(words[0] + " cannot be started: " + std::strerror(errno));
+  if (child < 0) throw std::runtime_error(name + " cannot be started: " + std::strerror(errno));
   if (child == 0)
     become(pointers.data(), environment.data(), parent, input.descriptor(), output.descriptor(), errors.descriptor());
   Group group(child, mark);
   while (!group.has_ended()) {
     throw_if_interrupted();
     if (wall_seconds() - begun > request.limit)
-      throw std::runtime_error(words[0] + " has not ended after " + number(request.limit) + " s and was stopped");
+      throw std::runtime_error(name + " has not ended after " + number(request.limit) +
+                               " s, its limit, and was stopped");
     if (output.bytes() + errors.bytes() > ChildRequest::most_output)
-      throw std::runtime_error(words[0] + " has printed more than " + std::to_string(ChildRequest::most_output >> 20) +
+      throw std::runtime_error(name + " has printed more than " + std::to_string(ChildRequest::most_output >> 20) +
                                " MiB and was stopped");
     nanosleep(&between_looks, nullptr);
   }

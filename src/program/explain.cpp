@@ -166,10 +166,11 @@ void print_start(const Prepared& prepared) {
   }
 }
 
-void print_step(const Timing& time, const Prepared& prepared) {
+void print_step(const Scene& scene, const Prepared& prepared) {
+  const Timing& time = scene.time;
   const StiffPart part = stiffest_part(prepared.system, 0, prepared.y);
   std::printf("\nstable step\n");
-  print_arrival(time, prepared);
+  const double of_impacts = print_arrival(scene, prepared);
   if (part.name.empty()) return line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
   // Nodes do not spin, nothing turns a disc without friction, and without damping the motion is not told apart.
   const bool spins =
@@ -187,7 +188,10 @@ void print_step(const Timing& time, const Prepared& prepared) {
       line(m.name, "%.3g s; %.3g s when all neighbours move against it%s", limit, limit / 2, chosen);
   }
   const std::vector<std::string> warnings = step_warnings(prepared.system, 0, prepared.y, time.method, time.step);
-  line("the scene's step", "%g s: %s", time.step, warnings.empty() ? "well inside" : "NOT safely inside");
+  line("the scene's step", "%g s: %s", time.step,
+       !warnings.empty()        ? "NOT safely inside"
+       : time.step > of_impacts ? "inside at t = 0, NOT in an impact to come"
+                                : "well inside");
   for (const std::string& text : warnings) line("", "warning: %s", text.c_str());
 }
 
@@ -214,7 +218,7 @@ int explain_command(const RunOptions& options) {
       scene, [&](double t, double) { return progress.show(options.scene, "settling", t, scene.settle->limit); });
   progress.end();
   print_start(prepared);
-  print_step(scene.time, prepared);
+  print_step(scene, prepared);
   return good;
 }
 

@@ -105,16 +105,58 @@ void print_allowed(const Scene& scene) {
   if (a.crossing_lattices.value_or(false)) line("lattices", "they may cross each other or themselves");
 }
 
-void print_arrival(const Timing& time, const Prepared& prepared) {
+namespace {
+
+// m: from the highest disc, by its lowest point, to the lowest point that anything has in a scene; what falls may fall so far.
+double drop(const Prepared& prepared) {
   const Parts& parts = prepared.system.parts();
+  double highest = -infinity, lowest = infinity;
+  for (int i = 0; i < parts.disc.count(); ++i) {
+    const double bottom = prepared.y[prepared.system.y_of(i)] - parts.disc.radius[i];
+    highest = std::max(highest, bottom), lowest = std::min(lowest, bottom);
+  }
+  for (const WallPart& w : parts.wall)
+    if (w.ny > 0) lowest = std::min(lowest, w.py);
+  for (const PlatePart& p : parts.plate) lowest = std::min(lowest, p.lower + p.height);
+  return std::max(0.0, highest - lowest);
+}
+
+// m/s: what a disc at rest that just touches reaches by its weight, which presses it in by d: v^2 = 2 g d(v). At least the
+// speed of the lightest; the sequence rises to it.
+double loading_speed(const Parts& parts) {
+  double speed = 0;
+  for (int i = 0; i < parts.disc.count(); ++i) {
+    const ContactLaw& law = parts.law[parts.law_of(parts.disc.material[i], parts.disc.material[i])];
+    double v = 0.1;  // m/s
+    for (int k = 0; k < 40; ++k)
+      v = std::sqrt(2 * parts.gravity * impact_overlap(law, parts.disc.radius[i], parts.disc.mass[i], v));
+    speed = std::max(speed, v);
+  }
+  return speed;
+}
+
+}  // namespace
+
+double print_arrival(const Scene& scene, const Prepared& prepared) {
+  const Parts& parts = prepared.system.parts();
+  const Timing& time = scene.time;
   double speed = greatest_speed(prepared.system, prepared.y);
   for (const PlatePart& p : parts.plate) speed = std::max(speed, std::hypot(p.vx, p.vy));
+  const char* why = "";
+  // What has settled carries its weight, and falls no more.
+  if (parts.gravity > 0 && parts.disc.count() > 0 && !scene.settle) {
+    const double falls = std::sqrt(2 * parts.gravity * drop(prepared)), pressed = loading_speed(parts);
+    if (falls > speed && falls >= pressed) why = ", that of a fall to the lowest place,";
+    if (pressed > speed && pressed > falls) why = ", which its weight gives a disc that just touches,";
+    speed = std::max({speed, falls, pressed});
+  }
   const Oscillator impact = stiffest_impact(parts, speed);
-  if (!(impact.omega > 0)) return;
+  if (!(impact.omega > 0)) return infinity;
   const double limit = largest_stable_step(time.method, impact);
-  if (!std::isfinite(limit)) return;
-  line("an impact to come", "at %.3g m/s allows %s %.3g s%s", speed, time.method.c_str(), limit,
+  if (!std::isfinite(limit)) return infinity;
+  line("an impact to come", "at %.3g m/s%s allows %s %.3g s%s", speed, why, time.method.c_str(), limit,
        time.step > limit ? ": NOT the scene's step" : "");
+  return limit;
 }
 
 }  // namespace furrow

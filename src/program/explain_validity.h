@@ -17,7 +17,8 @@ void print_passing(const Parts& parts);
 // What the scene allows itself.
 void print_allowed(const Scene& scene);
 
-// The step that an impact at the greatest speed of the start would allow.
-void print_arrival(const Timing& time, const Prepared& prepared);
+// The step (s) that an impact to come would allow: at the greatest speed of the start, of a fall, or of what its weight
+// presses in. Infinity if any.
+double print_arrival(const Scene& scene, const Prepared& prepared);
 
 }  // namespace furrow

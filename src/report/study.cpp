@@ -11,6 +11,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Before a study is measured, which may take an hour: its chapter needs the numbers of another.
+void require_numbers(const std::string& study, const std::string& of, const fs::path& directory) {
+  if (fs::exists(directory / (of + ".json"))) return;
+  throw FileError(study + " reads the numbers of " + of + ", and there is no " + (directory / (of + ".json")).string() +
+                  "; furrow study " + of + " --out " + directory.string() + " makes it");
+}
+
 std::vector<std::string> refuted(const Json& report, bool old_times) {
   std::vector<std::string> texts;
   for (const Json& claim : report.at("claims")) {
@@ -119,6 +126,7 @@ bool holds_today(const Json& claim, bool old_times) {
 }
 
 std::vector<std::string> run_study(const Study& study, const Settings& settings, const std::vector<Study>& all) {
+  for (const std::string& read : study.reads) require_numbers(study.name, read, settings.directory);
   Measurement measurement(study.name, settings, study.sources());
   study.measure(measurement);
   measurement.numbers().write(settings.directory / (study.name + ".json"));

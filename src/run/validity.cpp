@@ -130,9 +130,8 @@ void Validity::say(WatchKind kind, Verdict verdict) {
   text << "at t = " << w.time << " s " << rule.before << w.worst << rule.after;
   if (!w.where.empty()) text << " (" << w.where << ")";
   if (verdict == Verdict::warned) return warn_(text.str());
-  text << ". Beyond that the run says nothing of the scene; take a shorter step or stiffer parts, or let it go on by "
-          "[allow] "
-       << w.name;
+  text << ". Beyond that the run says nothing of the scene; take a shorter step"
+       << (kind <= WatchKind::energy_lost ? "" : " or stiffer parts") << ", or let it go on by [allow] " << w.name;
   failure_ = text.str();
 }
 

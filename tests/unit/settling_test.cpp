@@ -243,8 +243,8 @@ TEST(Settling, AThrownDiscIsNotSettledAtTheTopOfItsWay) {
 TEST(Settling, APlateAtAWorkingDepthIsWarnedOfAsOneThatStandsThere) {
   Scene scene = bed();
   scene.time.end = 1;
-  Lattice held = lattice({0.1, 0}, 3, 2, 0.01);
-  held.fixed_rows = {0, 1, 2};
+  Lattice held = lattice({0.1, 0}, 12, 2, 0.01);
+  held.fixed_columns = {0, 1};
   scene.lattice = {held};
   Plate deep = plate({0.02, 0}, 0.004, 0.1, {0.3, 0});
   deep.lower_edge.reset();
