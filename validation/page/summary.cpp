@@ -111,13 +111,21 @@ std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& s
   return element("ul", html, "tiles");
 }
 
+std::string age_of_finding(const StudyResult& study) {
+  if (study.numbers.old == 0) return {};
+  return element("p",
+                 "Of its " + std::to_string(study.numbers.results) + " numbers " + std::to_string(study.numbers.old) +
+                     " are older than today's solver: <a href=\"#how_it_was_made\">what has changed since</a>.",
+                 "note");
+}
+
 std::string finding(const std::vector<RunRecord>& runs, const std::vector<StudyResult>& studies, Page& page) {
   for (const StudyResult& study : studies) {
     for (const Json& headline : study.report.at("headlines")) {
       if (headline.at("tile") != "finding") continue;
       const std::string words = element("p", typeset(escaped(headline.at("value").get<std::string>()))) +
                                 element("p", typeset(escaped(headline.at("text").get<std::string>()))) +
-                                beyond_hertz(runs);
+                                beyond_hertz(runs) + age_of_finding(study);
       const std::string drawing = study.report.contains("first_figure") ? first_figure(study, page) : "";
       return "<section id=\"summary_finding\" class=\"finding\"><div><h2>The finding</h2>" + words +
              "<p><a href=\"#part_finding\">All its numbers</a></p></div>" + drawing + "</section>\n";
@@ -186,7 +194,7 @@ std::string beyond_hertz(const std::vector<RunRecord>& runs) {
     scenes += (scenes.empty() ? "" : ", ") + scene_words(run.name);
   }
   if (overlaps.empty()) return {};
-  return element("p", "Either way overlaps reach " + overlaps + " R (" + scenes +
+  return element("p", "In the runs of this page overlaps reach " + overlaps + " R (" + scenes +
                           "); Hertz's law is for small ones, here up to " + shown(small) + " R.");
 }
 

@@ -101,6 +101,17 @@ std::string in_plain_words(const std::string& reading, const Tally& tally) {
   return text;
 }
 
+// N, at the steps below the paper's by which the method makes no more than all the energy that there is.
+std::vector<double> sound_forces(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                                 const std::string& id) {
+  std::vector<double> sound;
+  for (const double step : plan.steps) {
+    const double force = step < papers_step ? value_in(results, {c, "pece", step}, id) : NAN;
+    if (std::isfinite(force) && instability_words(results, {c, "pece", step}).empty()) sound.push_back(force);
+  }
+  return sound;
+}
+
 Json forces_by_step(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
                     const std::string& id) {
   Json rows = Json::array();
@@ -144,8 +155,8 @@ Report convergence(const Shelf& shelf) {
     const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
     const double settled = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
     if (!c.best())
-      found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), !std::isnan(settled),
-                       instability_words(results, {c, "pece", papers_step}).empty()});
+      found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), sound_forces(results, plan, c, id),
+                       !std::isnan(settled), instability_words(results, {c, "pece", papers_step}).empty()});
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +

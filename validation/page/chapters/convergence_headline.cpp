@@ -32,15 +32,11 @@ Figure figure_of(const std::vector<ConvergedForce>& found, const std::string& fi
           .blocks = shares_of(found)};
 }
 
-// "51 to 84 N"
+// "51 to 84 N": at the finer steps that make no energy to speak of.
 std::string with_finer_steps(const ConvergedForce& f) {
-  double least = INFINITY, most = 0;
-  for (const Json& row : f.by_step) {
-    if (!(row[0].get<double>() < 0.99e3 * papers_step)) continue;
-    least = std::min(least, row[1].get<double>());
-    most = std::max(most, row[1].get<double>());
-  }
-  return rounded(least) + " to " + rounded(most) + " N";
+  if (f.sound.empty()) return "no number that is the model's";
+  const auto [least, most] = std::minmax_element(f.sound.begin(), f.sound.end());
+  return rounded(*least) + " to " + rounded(*most) + " N";
 }
 
 }  // namespace
@@ -69,9 +65,9 @@ void add_headline(Report& report, const std::vector<ConvergedForce>& found, std:
                             "are off by no more than " +
                             std::to_string(std::lround(100 * most)) + " %.",
                    .text = "If it is a sphere, and the paper does not say which, that step " +
-                           std::string(stable ? "" : "is not stable and ") + "makes them: with finer ones, down to " +
-                           finest_step + ", " + spheres + ". Of " + std::to_string(settled.second) +
-                           " numbers in all, " + std::to_string(settled.first) +
+                           std::string(stable ? "" : "is not stable and ") +
+                           "makes them: with finer, stable ones, down to " + finest_step + ", " + spheres + ". Of " +
+                           std::to_string(settled.second) + " numbers in all, " + std::to_string(settled.first) +
                            " do not depend on the paper's step."});
   report.first_figure(figure_of(found, finest_step));
 }

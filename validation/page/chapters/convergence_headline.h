@@ -14,6 +14,7 @@ struct ConvergedForce {
   ConvergenceCase c;
   double at_papers = NAN, finest = NAN;  // N, with the paper's step and with the finest
   Json by_step;                          // step ms, N
+  std::vector<double> sound{};           // N, at the steps below the paper's that are stable
   bool settles = true;                   // at some step
   bool stable = true;                    // by the paper's step
   double off() const { return std::fabs(at_papers / finest - 1); }
