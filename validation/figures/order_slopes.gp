@@ -9,12 +9,16 @@ tall = each * down
 set terminal svg size wide, tall font 'sans-serif,13' enhanced
 unset key
 set border 3 lw 0.8
-set style line 1 lc rgb '#d55e00' lw 1.6 pt 7 ps 0.45
-set style line 2 lc rgb '#cc79a7' lw 1.4 dt (8, 3) pt 9 ps 0.5
-set style line 3 lc rgb '#009e73' lw 1.4 dt (4, 2) pt 5 ps 0.4
-set style line 4 lc rgb '#b8860b' lw 1.4 dt (2, 2) pt 11 ps 0.5
-set style line 5 lc rgb '#0072b2' lw 1.6 pt 4 ps 0.5
-set style line 6 lc rgb '#000000' lw 1.2 dt (6, 2, 1, 2) pt 6 ps 0.5
+# One colour a method in all figures; the sixth style is that of all others.
+array called[50]
+note(k, name) = (called[k + 1] = name, 1)
+stats $names using (note(int($1), strcol(3))) nooutput
+set style line 1 lc rgb colour_of_method('pece') lw 1.6 pt 7 ps 0.45
+set style line 2 lc rgb colour_of_method('ab2') lw 1.4 dt (8, 3) pt 9 ps 0.5
+set style line 3 lc rgb colour_of_method('verlet') lw 1.4 dt (4, 2) pt 5 ps 0.4
+set style line 4 lc rgb colour_of_method('symplectic_euler') lw 1.4 dt (2, 2) pt 11 ps 0.5
+set style line 5 lc rgb colour_of_method('rk4') lw 1.6 pt 4 ps 0.5
+set style line 6 lc rgb colour_of_method(curves > 5 ? called[6] : '') lw 1.2 dt (6, 2, 1, 2) pt 6 ps 0.5
 set style line 9 lc rgb '#c4c4c4' lw 4
 set multiplot
 set tics nomirror out scale 0.5

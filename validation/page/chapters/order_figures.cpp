@@ -154,7 +154,7 @@ Figure energy_figure(const Observations& all) {
       for (const double angle : {angles.front(), angles.back()})
         theory.push_back({curve, angle, std::fabs(drift->factor) * std::pow(angle, drift->power)});
     }
-    // Labels keep a distance of a factor.
+    // Labels keep a distance of a factor; a line leads from the end of the curve to its label.
     double at = std::fabs(first);
     for (bool free = false; !free;) {
       free = true;
@@ -162,14 +162,14 @@ Figure energy_figure(const Observations& all) {
       if (!free) at /= 1.5;
     }
     labelled.push_back(at);
-    names.push_back({curve, at, first > 0 ? 1 : 0, method.name});
+    names.push_back({curve, at, first > 0 ? 1 : 0, method.name, std::fabs(first)});
     ++curve;
   }
   Figure figure{"order_energy", "order_energy.gp", {}, "relative change of energy in a period against h omega"};
   figure.caption =
       "Undamped oscillator, 64 periods: relative change of the energy in a period. Filled: gain, open: loss; "
       "grey: the leading term of the amplification.";
-  figure.variables = {{"curves", curve}};
+  figure.variables = {{"curves", curve}, {"last", angles.front()}};
   figure.blocks = {{"points", points}, {"theory", theory}, {"names", names}};
   return figure;
 }
