@@ -726,10 +726,18 @@ def _label_of(member):
     return ", ".join(f"{key} = {value}" for key, value in member.parameters.items())
 
 
+def _abscissa(against, curves):
+    """The column for the horizontal axis, and what its label says of it: over a displacement that stays, a curve is a vertical line."""
+    if against == "displacement" and any(len(c) > 1 and min(c[against]) == max(c[against]) for c in curves):
+        return "t", (", in some runs" if len(curves) > 1 else ",") + " the displacement does not change"
+    return ("t" if against == "time" else against), ""
+
+
 def plot_force(runs, axes=None, against="displacement", component="F", plate=None, labels=None):
     """Draws the force on a plate (the first one, or the one of this name) of one run, of many, or of an ensemble; returns the axes.
 
-    labels  one for each; those of an ensemble are its parameters where none are given
+    against  "displacement", "time" or another column; the time also where a plate stays at rest
+    labels   one for each; those of an ensemble are its parameters where none are given
     """
     import matplotlib.pyplot
     if isinstance(runs, (set, frozenset, dict)):
@@ -743,12 +751,13 @@ def plot_force(runs, axes=None, against="displacement", component="F", plate=Non
     for each, table in zip(runs, tables):
         if not len(table):
             raise Error(f"no plate, no force: {each}")
+    curves = [table.where(plate=plate or table["plate"][0]) for table in tables]
+    against, why = _abscissa(against, curves)
     axes = axes or matplotlib.pyplot.subplots()[1]
-    for k, table in enumerate(tables):
-        curve = table.where(plate=plate or table["plate"][0])
+    for k, curve in enumerate(curves):
         axes.plot(curve[against], curve[component], label=labels[k] if labels else None, linewidth=1)
-    axes.set_xlabel(f"{against} [{table.unit(against)}]")
-    axes.set_ylabel(f"{component} [{table.unit(component)}]")
+    axes.set_xlabel(f"{against} [{curve.unit(against)}]{why}")
+    axes.set_ylabel(f"{component} [{curve.unit(component)}]")
     if labels:
         axes.legend()
     return axes

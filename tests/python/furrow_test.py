@@ -565,6 +565,21 @@ class WithOtherPackages(unittest.TestCase):
         with self.assertRaisesRegex(furrow.Error, "no plate, no force"):
             furrow.plot_force(furrow.run(DISC))
 
+    def test_the_curve_of_a_plate_at_rest_is_drawn_over_the_time(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        moving, resting = furrow.run(FIRST, SHORT), furrow.run(FIRST, SHORT | {"plate[0].velocity": [0.0, 0.0]})
+        for runs, against, label in ((resting, "displacement", "t [s], the displacement does not change"),
+                                     ([moving, resting], "displacement", "t [s], in some runs the displacement does not change"),
+                                     (moving, "time", "t [s]"), (moving, "t", "t [s]"), (resting, "time", "t [s]")):
+            with self.subTest(against=against, label=label):
+                axes = furrow.plot_force(runs, against=against)
+                self.assertEqual(axes.get_xlabel(), label)
+                for line in axes.lines:
+                    self.assertTrue((line.get_xdata() == moving.plate_force["t"]).all())
+        with self.assertRaisesRegex(KeyError, "no column 'way'; there are t .s., plate, displacement"):
+            furrow.plot_force(moving, against="way")
+
     def test_the_curves_of_an_ensemble_are_drawn_as_they_are_and_named_by_their_parameters(self):
         import matplotlib
         matplotlib.use("Agg")
