@@ -58,12 +58,16 @@ class Commands : public Program {
   }
 
   // What the calls need: a bed far beyond what random placing reaches, a pipe that nobody writes to, a run whose list
-  // of files has one that takes minutes to read.
+  // of files has one that takes minutes to read, the numbers that a study reads.
   void put_what_takes_long() const {
     for (const char* file :
          {"large.toml", "scenes/scenario_1.toml", "scenes/scenario_2.toml", "scenes/scenario_3.toml"})
       put_large_bed(file, "2000000", "39.0");
     ASSERT_EQ(mkfifo((directory_ / "pipe.toml").c_str(), 0600), 0);
+    fs::create_directory(directory_ / "numbers_of_statements");
+    for (const char* study : {"ensemble", "convergence", "readings"})
+      fs::copy_file(FURROW_SOURCE_DIR "/reference_data/studies/" + std::string(study) + ".json",
+                    directory_ / "numbers_of_statements" / (std::string(study) + ".json"));
     put("film/rows.csv", "");
     fs::resize_file(directory_ / "film/rows.csv", std::uintmax_t{1} << 37);  // bytes, none of them on the disk
     put("film/run.json", sealed_text({{"ended", "finished"}, {"files", {{"rows.csv", "another"}}}}));
