@@ -30,7 +30,7 @@ class BorderWatch {
  private:
   struct Pair {
     int disc, segment;
-    auto operator<=>(const Pair&) const = default;
+    bool operator<(const Pair& other) const { return disc != other.disc ? disc < other.disc : segment < other.segment; }
   };
   void collect(double t, const State& y);
 

@@ -60,11 +60,9 @@ class StartJudge {
     if (count == most_reported + 1) found_.error(path, "and more of this kind");
   }
 
-  // Not of places that are written to a few digits: a millionth of the size.
   void overlap(double depth, double size, const std::string& between) {
-    if (depth < 1e-6 * size) return;
-    ++overlaps_;
-    if (depth / size <= deepest_) return;
+    if (depth < 1e-6 * size) return;  // of places that are written to a few digits
+    if (++overlaps_; depth / size <= deepest_) return;
     deepest_ = depth / size;
     between_ = between;
   }
