@@ -30,7 +30,7 @@ class BorderWatch {
  private:
   struct Pair {
     int disc, segment;
-    bool operator<(const Pair& other) const { return disc != other.disc ? disc < other.disc : segment < other.segment; }
+    auto operator<=>(const Pair&) const = default;  // NOLINT(modernize-use-nullptr): of clang-tidy 14
   };
   void collect(double t, const State& y);
 
