@@ -111,12 +111,11 @@ std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& s
   return element("ul", html, "tiles");
 }
 
+// Behind the link to all numbers, on the same line.
 std::string age_of_finding(const StudyResult& study) {
   if (study.numbers.old == 0) return {};
-  return element("p",
-                 "Of its " + std::to_string(study.numbers.results) + " numbers " + std::to_string(study.numbers.old) +
-                     " are older than today's solver: <a href=\"#how_it_was_made\">what has changed since</a>.",
-                 "note");
+  return ", <a href=\"#how_it_was_made\">" + std::to_string(study.numbers.old) + " of " +
+         std::to_string(study.numbers.results) + " older than the solver</a>";
 }
 
 std::string finding(const std::vector<RunRecord>& runs, const std::vector<StudyResult>& studies, Page& page) {
@@ -125,10 +124,11 @@ std::string finding(const std::vector<RunRecord>& runs, const std::vector<StudyR
       if (headline.at("tile") != "finding") continue;
       const std::string words = element("p", typeset(escaped(headline.at("value").get<std::string>()))) +
                                 element("p", typeset(escaped(headline.at("text").get<std::string>()))) +
-                                beyond_hertz(runs) + age_of_finding(study);
+                                beyond_hertz(runs);
       const std::string drawing = study.report.contains("first_figure") ? first_figure(study, page) : "";
       return "<section id=\"summary_finding\" class=\"finding\"><div><h2>The finding</h2>" + words +
-             "<p><a href=\"#part_finding\">All its numbers</a></p></div>" + drawing + "</section>\n";
+             "<p><a href=\"#part_finding\">All its numbers</a>" + age_of_finding(study) + "</p></div>" + drawing +
+             "</section>\n";
     }
   }
   return {};
