@@ -81,7 +81,7 @@ RunRecord with_overlap(const std::string& name, double worst) {
 
 TEST(Finding, SaysHowFarTheRunsLeaveHertz) {
   EXPECT_EQ(beyond_hertz({with_overlap("scenario_1", 0.0625), with_overlap("scenario_2", 1.75)}),
-            "<p>In the runs of this page overlaps reach 1.75 R (scene 2); Hertz's law is for small ones, here up to "
+            "<p>Overlaps here reach 1.75 R (scene 2); Hertz's law is for small ones, here up to "
             "0.125 R.</p>\n");
   EXPECT_EQ(beyond_hertz({with_overlap("scenario_1", 0.125)}), "");
   RunRecord unwatched = with_overlap("scenario_1", 3);

@@ -61,10 +61,12 @@ std::string cell_of(const Json& said) {
   const std::string verdict = said.at(0);
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const Sign& s) { return s.verdict == verdict; });
   if (sign == signs.end()) return element("td", escaped(verdict));
-  return "<td class=\"judged " + std::string(sign->kind) + "\" title=\"" +
-         escaped(verdict + ": " + said.at(1).get<std::string>()) + "\"><span aria-hidden=\"true\">" +
-         (of_adapter(said) ? not_asked : sign->sign) + "</span><span class=\"unseen\">" + verdict +
-         (of_adapter(said) ? ", of the adapter" : "") + "</span></td>\n";
+  // What an engine does instead has a table of its own; why it cannot stands here alone.
+  const bool cannot = verdict == "cannot";
+  return "<td class=\"judged " + std::string(sign->kind) + "\" aria-label=\"" + verdict +
+         (of_adapter(said) ? ", of the adapter" : "") + "\"" +
+         (cannot ? " title=\"" + escaped(said.at(1).get<std::string>()) + "\"" : "") + ">" +
+         (of_adapter(said) ? not_asked : sign->sign) + "</td>";
 }
 
 std::string matrix(const Json& kept, Page& page) {

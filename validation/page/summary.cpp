@@ -194,7 +194,7 @@ std::string beyond_hertz(const std::vector<RunRecord>& runs) {
     scenes += (scenes.empty() ? "" : ", ") + scene_words(run.name);
   }
   if (overlaps.empty()) return {};
-  return element("p", "In the runs of this page overlaps reach " + overlaps + " R (" + scenes +
+  return element("p", "Overlaps here reach " + overlaps + " R (" + scenes +
                           "); Hertz's law is for small ones, here up to " + shown(small) + " R.");
 }
 
