@@ -56,13 +56,13 @@ std::map<std::string, int> counts_of(const Json& engine) {
   return counts;
 }
 
-std::string cell_of(const Json& said) {
+std::string cell_of(const Json& said, bool foreign) {
   if (said.is_null()) return element("td", "");
   const std::string verdict = said.at(0);
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const Sign& s) { return s.verdict == verdict; });
   if (sign == signs.end()) return element("td", escaped(verdict));
   // What an engine does instead has a table of its own; why it cannot stands here alone.
-  const bool cannot = verdict == "cannot";
+  const bool cannot = foreign && verdict == "cannot";
   return "<td class=\"judged " + std::string(sign->kind) + "\" aria-label=\"" + verdict +
          (of_adapter(said) ? ", of the adapter" : "") + "\"" +
          (cannot ? " title=\"" + escaped(said.at(1).get<std::string>()) + "\"" : "") + ">" +
@@ -76,7 +76,7 @@ std::string matrix(const Json& kept, Page& page) {
   for (const auto& [name, title] : kept.at("cases").items()) {
     std::string cells = "<th scope=\"row\">" + escaped(title.get<std::string>()) + "<small><code>" + escaped(name) +
                         "</code></small></th>";
-    for (const Json& engine : kept.at("engines")) cells += cell_of(said_of(engine, name));
+    for (const Json& engine : kept.at("engines")) cells += cell_of(said_of(engine, name), !own(engine));
     rows += element("tr", cells);
   }
   std::string legend;
@@ -86,22 +86,28 @@ std::string matrix(const Json& kept, Page& page) {
                  "matrix plain", head, rows});
 }
 
+bool is_instead(const Json& said) { return said.at(0) != "right" && said.at(0) != "cannot"; }
+
 // What engines do instead, others before furrow.
 std::string instead(const Json& kept, Page& page) {
   std::string rows;
-  for (const bool of_furrow : {false, true}) {
-    for (const Json& engine : kept.at("engines")) {
-      if (own(engine) != of_furrow) continue;
-      for (const auto& [name, said] : engine.at("verdicts").items()) {
-        const std::string verdict = said.at(0);
-        if (verdict == "right" || verdict == "cannot") continue;
-        rows += element("tr", element("td", escaped(name_of(engine))) +
-                                  element("td", typeset(escaped(kept.at("cases").value(name, name)))) +
-                                  element("td", chip_or_words(verdict)) +
-                                  element("td", typeset(escaped(said.at(1).get<std::string>()))) +
-                                  element("td", element("code", escaped(command_of(engine, name)))));
-      }
-    }
+  const auto row = [&](const Json& engine, const std::string& cases, const Json& said, const std::string& shown_by) {
+    rows += element("tr", element("td", escaped(name_of(engine))) + element("td", typeset(escaped(cases))) +
+                              element("td", chip_or_words(said.at(0))) +
+                              element("td", typeset(escaped(said.at(1).get<std::string>()))) +
+                              element("td", element("code", escaped(command_of(engine, shown_by)))));
+  };
+  for (const Json& engine : kept.at("engines")) {
+    for (const auto& [name, said] : engine.at("verdicts").items())
+      if (!own(engine) && is_instead(said)) row(engine, kept.at("cases").value(name, name), said, name);
+  }
+  // Of a method of furrow the cases with the same verdict share a row, with the words on the first.
+  for (const Json& engine : kept.at("engines")) {
+    std::map<std::string, std::vector<std::string>> by_verdict;
+    for (const auto& [name, said] : engine.at("verdicts").items())
+      if (own(engine) && is_instead(said)) by_verdict[said.at(0)].push_back(name);
+    for (const auto& [verdict, names] : by_verdict)
+      row(engine, joined(names), engine.at("verdicts").at(names[0]), names[0]);
   }
   if (rows.empty()) return {};
   return framed({page.id("table what engines do instead"), "Where an answer is not right, what it is instead.",
