@@ -162,7 +162,7 @@ Figure energy_figure(const Observations& all) {
       if (!free) at /= 1.5;
     }
     labelled.push_back(at);
-    names.push_back({curve, at, first > 0 ? 1 : 0, method.name, std::fabs(first)});
+    names.push_back({curve, at, first > 0 ? 1 : 0, std::fabs(first), method.name});
     ++curve;
   }
   Figure figure{"order_energy", "order_energy.gp", {}, "relative change of energy in a period against h omega"};
