@@ -189,9 +189,9 @@ void print_step(const Scene& scene, const Prepared& prepared) {
   }
   const std::vector<std::string> warnings = step_warnings(prepared.system, 0, prepared.y, time.method, time.step);
   line("the scene's step", "%g s: %s", time.step,
-       !warnings.empty()        ? "NOT safely inside"
-       : time.step > of_impacts ? "inside at t = 0, NOT in an impact to come"
-                                : "well inside");
+       !warnings.empty()            ? "NOT safely inside"
+       : time.step > of_impacts / 2 ? "inside at t = 0, NOT safely in an impact to come"
+                                    : "well inside");
   for (const std::string& text : warnings) line("", "warning: %s", text.c_str());
 }
 
