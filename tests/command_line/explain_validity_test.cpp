@@ -159,27 +159,4 @@ TEST_F(ExplainValidity, WhatTheSceneAllowsIsSaidAndNoMore) {
 }
 
 }  // namespace
-// A disc that just touches is as stiff as its weight makes it, one that falls as its speed: what t = 0 allows is not safe.
-TEST_F(Explain, AStepIsWeighedByTheImpactThatIsToCome) {
-  const auto said = [&](const std::string& height, const std::string& step) {
-    return explain(
-        "title = \"Above a wall\"\noutput = { interval = 0.01 }\ntime = { end = 0.1, method = \"verlet\", step = " +
-        step +
-        " }\ncontact = { damping_factor = 0.3 }\n"
-        "material = [{ name = \"soft\", young = 1e8, poisson = 0.3 }]\n"
-        "disc = [{ position = [0.0, " +
-        height +
-        "], radius = 0.1, material = \"soft\" }]\n"
-        "wall = [{ point = [0.0, 0.0], normal = [0.0, 1.0], material = \"soft\" }]\n");
-  };
-  const auto has = [](const std::string& text, const char* words) { return text.find(words) != std::string::npos; };
-  const std::string touches = said("0.0999999999", "5e-3");
-  EXPECT_TRUE(has(touches, "which its weight gives a disc that just touches")) << touches;
-  EXPECT_TRUE(has(touches, "NOT safely in an impact to come")) << touches;
-  EXPECT_TRUE(has(said("0.0999999999", "1e-4"), "well inside"));
-  const std::string falls = said("2.1", "5e-3");  // 2 m: sqrt(2 g h) = 6.264 m/s
-  EXPECT_TRUE(has(falls, "at 6.26 m/s, that of a fall to the lowest place")) << falls;
-  EXPECT_TRUE(has(falls, "NOT the scene's step")) << falls;
-}
-
 }  // namespace furrow::test
