@@ -30,4 +30,13 @@ material = ")" +
          tool + "\"\n";
 }
 
+// A scene of four nodes that runs in a moment: the plate goes 10 mm.
+inline std::string bent_twig() {
+  return R"(title = "a plate bends a twig"
+time = { end = 0.1, step = 1e-4 }
+output = { interval = 2e-3 }
+material = [{ name = "wood", young = 2e5, poisson = 0.3 }]
+)" + bent_stem(2, "0.002", "wood");
+}
+
 }  // namespace furrow::test

@@ -13,13 +13,6 @@
 namespace furrow::validation {
 namespace {
 
-// A plate bends a stem of four nodes. 10 mm.
-const std::string stalk = R"(title = "a plate bends a stalk"
-time = { end = 0.1, step = 1e-4 }
-output = { interval = 2e-3 }
-material = [{ name = "wood", young = 2e5, poisson = 0.3 }]
-)" + test::bent_stem(2, "0.002", "wood");
-
 // What it gives depends on where the discs are placed.
 constexpr const char* bed = R"(title = "a plate meets three discs"
 time = { end = 0.1, step = 1e-5 }
@@ -45,7 +38,7 @@ material = "wood"
 struct Place {
   test::OwnDirectory directory;
   Place() {
-    put("stalk.toml", stalk);
+    put("stalk.toml", test::bent_twig());
     put("bed.toml", bed);
   }
   std::filesystem::path at(const std::string& name) const { return directory.path() / name; }

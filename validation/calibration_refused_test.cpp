@@ -16,13 +16,7 @@
 namespace furrow::validation {
 namespace {
 
-// A plate bends a stem of four nodes. 10 mm.
-const std::string twig = R"(title = "a plate bends a twig"
-time = { end = 0.1, step = 1e-4 }
-output = { interval = 2e-3 }
-material = [{ name = "wood", young = 2e5, poisson = 0.3 }]
-)" + test::bent_stem(2, "0.002", "wood");
-
+const std::string twig = test::bent_twig();
 const std::string stiffness = "lattice[0].structural.stiffness";
 
 struct Bench {
