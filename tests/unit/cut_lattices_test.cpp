@@ -1,4 +1,6 @@
 // A plate meets nodes alone. Where it goes through a lattice between two of them, no force says so: the watch does.
+#include "run/cut_lattices.h"
+
 #include <gtest/gtest.h>
 
 #include "watched_run.h"
@@ -49,7 +51,7 @@ TEST_P(CutLattices, AreSaid) {
 }
 
 // A plate that pushes nodes aside stands in the lattice's outline as it bends, and goes through none of its segments.
-TEST(CutLattices, ThatBendRoundAPlateAreNot) {
+TEST(CutLattice, ThatBendRoundAPlateAreNot) {
   Scene scene = empty_scene();
   Lattice l = lattice({0, 0}, 10, 3, 0.01);
   l.fixed_rows = {0};
@@ -61,6 +63,31 @@ TEST(CutLattices, ThatBendRoundAPlateAreNot) {
   ASSERT_EQ(r.end.ending, Ending::finished) << r.end.reason;
   ASSERT_GT(r.extremes.plate[0].force, 1) << "it was pushed";
   EXPECT_EQ(r.of(WatchKind::crossing_lattices).worst, 0);
+}
+
+// A link from (0, 0) to (1, 1), and plates where it goes through two opposite sides, round a corner, and beside.
+TEST(CutLattice, GoesThroughTwoOppositeSides) {
+  struct Place {
+    Vec2 lower_left;
+    double width, height;
+    int cuts;
+  };
+  for (const auto& [lower_left, width, height, cuts] :
+       {Place{{0.4, 0.3}, 0.2, 0.4, 1}, Place{{0.3, 0.4}, 0.4, 0.2, 1}, Place{{0.4, 0.55}, 0.2, 0.4, 0},
+        Place{{0.55, 0.4}, 0.4, 0.2, 0}, Place{{0.4, 0.7}, 0.2, 0.2, 0}, Place{{0.9, 0.8}, 0.4, 0.4, 0}}) {
+    for (const bool torn : {false, true}) {
+      Scene scene = empty_scene();
+      Lattice l = lattice({0, 0}, 1, 2, 1);
+      l.structural = link_kind(1, 0);
+      l.node = {node_setting(0, 1, {0, 1})};
+      if (torn) l.link = {{.from = {0, 0}, .to = {0, 1}, .torn = true}};
+      scene.lattice = {l};
+      scene.plate = {plate(lower_left, width, height)};
+      const System system(scene);
+      EXPECT_EQ(cut_by_plates(system, 0, system.initial_state()).pairs, torn ? 0 : cuts)
+          << lower_left.x << ", " << lower_left.y << (torn ? ", torn" : "");
+    }
+  }
 }
 
 // ---- discs through a link of the border that is torn ----
