@@ -171,7 +171,17 @@ void print_step(const Scene& scene, const Prepared& prepared) {
   const StiffPart part = stiffest_part(prepared.system, 0, prepared.y);
   std::printf("\nstable step\n");
   const double of_impacts = print_arrival(scene, prepared);
-  if (part.name.empty()) return line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
+  const auto weigh = [&](bool warned) {
+    line("the scene's step", "%g s: %s", time.step,
+         warned                       ? "NOT safely inside"
+         : time.step > of_impacts / 2 ? "inside at t = 0, NOT safely in an impact to come"
+                                      : "well inside");
+  };
+  if (part.name.empty()) {
+    line("stiffest part", "nothing acts on anything at t = 0; contacts that come later do");
+    if (std::isfinite(of_impacts)) weigh(false);
+    return;
+  }
   // Nodes do not spin, nothing turns a disc without friction, and without damping the motion is not told apart.
   const bool spins =
       part.spins && part.name.starts_with("disc") && prepared.system.has_friction() && part.oscillator.zeta > 0;
@@ -188,10 +198,7 @@ void print_step(const Scene& scene, const Prepared& prepared) {
       line(m.name, "%.3g s; %.3g s when all neighbours move against it%s", limit, limit / 2, chosen);
   }
   const std::vector<std::string> warnings = step_warnings(prepared.system, 0, prepared.y, time.method, time.step);
-  line("the scene's step", "%g s: %s", time.step,
-       !warnings.empty()            ? "NOT safely inside"
-       : time.step > of_impacts / 2 ? "inside at t = 0, NOT safely in an impact to come"
-                                    : "well inside");
+  weigh(!warnings.empty());
   for (const std::string& text : warnings) line("", "warning: %s", text.c_str());
 }
 

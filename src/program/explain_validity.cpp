@@ -107,18 +107,39 @@ void print_allowed(const Scene& scene) {
 
 namespace {
 
-// m: from the highest disc, by its lowest point, to the lowest point that anything has in a scene; what falls may fall so far.
-double drop(const Prepared& prepared) {
+// m: the highest place straight below a disc, of walls that slope by less than 80 degrees, plates and nodes; -infinity: none,
+// it falls past all. Other discs are left out: they are in the way at most.
+double place_below(const Prepared& prepared, int disc) {
   const Parts& parts = prepared.system.parts();
-  double highest = -infinity, lowest = infinity;
-  for (int i = 0; i < parts.disc.count(); ++i) {
-    const double bottom = prepared.y[prepared.system.y_of(i)] - parts.disc.radius[i];
-    highest = std::max(highest, bottom), lowest = std::min(lowest, bottom);
-  }
+  const State& y = prepared.y;
+  const double radius = parts.disc.radius[disc], bottom = y[prepared.system.y_of(disc)] - radius;
+  const double x = y[prepared.system.x_of(disc)];
+  double highest = -infinity;
+  const auto see = [&](double place) {
+    if (place <= bottom) highest = std::max(highest, place);
+  };
   for (const WallPart& w : parts.wall)
-    if (w.ny > 0) lowest = std::min(lowest, w.py);
-  for (const PlatePart& p : parts.plate) lowest = std::min(lowest, p.lower + p.height);
-  return std::max(0.0, highest - lowest);
+    if (w.ny > 0.17) see(w.py - w.nx / w.ny * (x - w.px));
+  for (const PlatePart& p : parts.plate)
+    if (x + radius > p.left && x - radius < p.left + p.width) see(p.lower + p.height);
+  for (int n = 0; n < parts.node.count(); ++n)
+    if (std::fabs(parts.node.x[n] - x) < radius + parts.node.contact_radius[n])
+      see(parts.node.y[n] + parts.node.contact_radius[n]);
+  return highest;
+}
+
+// m/s: the greatest with which a disc comes to what is below it.
+double falling_speed(const Prepared& prepared) {
+  const System& system = prepared.system;
+  double fastest = 0;
+  for (int i = 0; i < system.parts().disc.count(); ++i) {
+    const double below = place_below(prepared, i);
+    if (!std::isfinite(below)) continue;
+    const double drop = prepared.y[system.y_of(i)] - system.parts().disc.radius[i] - below;
+    const double vx = prepared.y[system.vx_of(i)], vy = prepared.y[system.vy_of(i)];
+    fastest = std::max(fastest, std::sqrt(vx * vx + vy * vy + 2 * system.gravity() * drop));
+  }
+  return fastest;
 }
 
 // m/s: what a disc at rest that just touches reaches by its weight, which presses it in by d: v^2 = 2 g d(v). At least the
@@ -145,8 +166,8 @@ double print_arrival(const Scene& scene, const Prepared& prepared) {
   const char* why = "";
   // What has settled carries its weight, and falls no more.
   if (parts.gravity > 0 && parts.disc.count() > 0 && !scene.settle) {
-    const double falls = std::sqrt(2 * parts.gravity * drop(prepared)), pressed = loading_speed(parts);
-    if (falls > speed && falls >= pressed) why = ", that of a fall to the lowest place,";
+    const double falls = falling_speed(prepared), pressed = loading_speed(parts);
+    if (falls > speed && falls >= pressed) why = ", that of a fall to what is below,";
     if (pressed > speed && pressed > falls) why = ", which its weight gives a disc that just touches,";
     speed = std::max({speed, falls, pressed});
   }

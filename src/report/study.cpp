@@ -13,9 +13,11 @@ namespace fs = std::filesystem;
 
 // Before a study is measured, which may take an hour: its chapter needs the numbers of another.
 void require_numbers(const std::string& study, const std::string& of, const fs::path& directory) {
-  if (fs::exists(directory / (of + ".json"))) return;
-  throw FileError(study + " reads the numbers of " + of + ", and there is no " + (directory / (of + ".json")).string() +
-                  "; furrow study " + of + " --out " + directory.string() + " makes it");
+  const fs::path file = directory / (of + ".json");
+  const std::string makes = "; furrow study " + of + " --out " + directory.string() + " makes it";
+  if (!fs::exists(file))
+    throw FileError(study + " reads the numbers of " + of + ", and there is no " + file.string() + makes);
+  if (Numbers::read(file).study() != of) throw FileError(file.string() + ": is not the study " + of + makes);
 }
 
 std::vector<std::string> refuted(const Json& report, bool old_times) {

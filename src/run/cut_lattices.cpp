@@ -55,12 +55,12 @@ CrossingBorders standing_crossings(const System& system, double t, const State& 
 
 // A plate that is longer than segments are is met by them across its narrow side, for as long as it is.
 double least_crossing_way(const Parts& parts) {
-  double least = infinity;
-  for (const double spacing : parts.node.spacing) least = std::min(least, spacing);
-  const double spacing = least;
+  double least = infinity, longest = 0;
+  for (const double spacing : parts.node.spacing)
+    least = std::min(least, spacing), longest = std::max(longest, spacing);
   for (const PlatePart& p : parts.plate) {
     const auto [narrow, wide] = std::minmax(p.width, p.height);
-    least = std::min(least, wide < 2 * spacing ? narrow : wide);
+    least = std::min(least, wide < 2 * longest ? narrow : wide);
   }
   return least;
 }

@@ -9,43 +9,55 @@
 
 namespace furrow {
 
-// A disc in free flight keeps what it has of its own, kinetic and of its height (J).
+// A disc in free flight keeps the sum of its kinetic energy and of what it has risen by since the start (J). By a method that
+// does not keep it, of first order, no disc is idle, and its energy counts as any other.
 class IdleDiscs {
  public:
+  struct Sum {
+    double kinetic = 0;    // J
+    double left_over = 0;  // J, of the residual: what rounding has made of theirs
+  };
+
   // y: null where no state is known; then there are none.
   void begin(const System& system, const State* y) {
-    own_.clear();
+    start_.clear();
     for (int i = 0; y && i < system.parts().disc.count(); ++i)
-      own_.push_back(kinetic(system, *y, i) + height(system, *y, i));
+      start_.push_back({kinetic(system, *y, i), (*y)[system.y_of(i)]});
   }
 
-  // J, kinetic, of those that have by now what they began with.
-  double kinetic(const System& system, const State* y) const {
+  Sum sum(const System& system, const State* y) const {
     constexpr double rounded = 1e-9;  // of the energies that are added: sums of a million steps
-    double sum = 0;
-    for (std::size_t i = 0; y && i < own_.size(); ++i) {
-      const int disc = static_cast<int>(i);
-      const double moving = kinetic(system, *y, disc), high = height(system, *y, disc);
-      if (std::fabs(moving + high - own_[i]) <= rounded * (moving + std::fabs(high))) sum += moving;
+    Sum sum;
+    for (std::size_t k = 0; y && k < start_.size(); ++k) {
+      const int i = static_cast<int>(k);
+      const double moving = kinetic(system, *y, i);
+      const double risen = system.parts().disc.mass[k] * system.gravity() * ((*y)[system.y_of(i)] - start_[k].y);
+      const double left_over = moving + risen - start_[k].kinetic;
+      if (!(std::fabs(left_over) <= rounded * (moving + std::fabs(risen)))) continue;
+      sum.kinetic += moving;
+      sum.left_over += left_over;
     }
     return sum;
   }
 
   void history(HistoryVisitor& visit) {
-    visit.list("own energies", own_, [&](double& energy) { visit("own energy", energy); });
+    visit.list("starts of discs", start_, [&](Start& one) {
+      visit("kinetic", one.kinetic);
+      visit("height", one.y);
+    });
   }
 
  private:
+  struct Start {
+    double kinetic = 0, y = 0;  // J, m
+  };
   static double kinetic(const System& system, const State& y, int i) {
     const DiscArrays& disc = system.parts().disc;
     const double vx = y[system.vx_of(i)], vy = y[system.vy_of(i)], spin = system.spin(y, i);
     return 0.5 * disc.mass[i] * (vx * vx + vy * vy) + 0.5 * disc.inertia[i] * spin * spin;
   }
-  static double height(const System& system, const State& y, int i) {
-    return system.parts().disc.mass[i] * system.gravity() * y[system.y_of(i)];
-  }
 
-  std::vector<double> own_;  // by disc, at the start
+  std::vector<Start> start_;  // by disc
 };
 
 }  // namespace furrow

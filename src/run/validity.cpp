@@ -276,12 +276,13 @@ void Validity::judge_row(double t, const Observation& seen) {
 void Validity::judge_energy(double t, const Observation& seen, bool early) {
   const Energies& e = seen.energy;
   if (!started_) start_ = e, idle_.begin(system_, state_);
-  const double idle = idle_.kinetic(system_, state_), given = e.supplied(start_) + plate_power_ * step_;
+  const IdleDiscs::Sum idle = idle_.sum(system_, state_);
+  const double given = e.supplied(start_) + plate_power_ * step_;
   all_supplied_ = std::max(all_supplied_, given);
-  supplied_ = std::max(supplied_, given - idle);
+  supplied_ = std::max(supplied_, given - idle.kinetic);
   most_lost_ = started_ ? std::max(most_lost_, e.lost()) : e.lost();
-  const double residual = e.residual(start_), taken_back = most_lost_ - e.lost();
-  const double by_law = e.live() - idle - supplied_;
+  const double residual = e.residual(start_) - idle.left_over, taken_back = most_lost_ - e.lost();
+  const double by_law = e.live() - idle.kinetic - supplied_;
   const double nothing = stiffest_->floor.of(e, t, extremes_.speed + plate_speed_);
   if (!(supplied_ > 0)) return;
   const double rough = early ? 2 * (all_supplied_ - start_.live()) / static_cast<double>(balanced_steps_) : 0;

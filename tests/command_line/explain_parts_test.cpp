@@ -136,8 +136,44 @@ TEST_F(Explain, AStepIsWeighedByTheImpactThatIsToCome) {
   EXPECT_TRUE(has(touches, "NOT safely in an impact to come")) << touches;
   EXPECT_TRUE(has(said("0.0999999999", "1e-4"), "well inside"));
   const std::string falls = said("2.1", "5e-3");  // 2 m: sqrt(2 g h) = 6.264 m/s
-  EXPECT_TRUE(has(falls, "at 6.26 m/s, that of a fall to the lowest place")) << falls;
+  EXPECT_TRUE(has(falls, "at 6.26 m/s, that of a fall to what is below")) << falls;
   EXPECT_TRUE(has(falls, "NOT the scene's step")) << falls;
+  EXPECT_TRUE(has(falls, "NOT safely in an impact to come")) << falls;
+}
+
+// What is far away, beside or above is no place to fall to; a lattice is, and what is thrown comes faster than it falls.
+TEST_F(Explain, ADiscFallsToWhatIsStraightBelowIt) {
+  const auto speed_of = [&](const std::string& parts, const std::string& velocity = "[0.0, 0.0]") {
+    const std::string text = explain(
+        "title = \"Falls\"\noutput = { interval = 0.01 }\ntime = { end = 0.1, method = \"verlet\", step = 1e-6 }\n"
+        "contact = { damping_factor = 0.3 }\nmaterial = [{ name = \"soft\", young = 1e8, poisson = 0.3 }]\n"
+        "disc = [{ position = [0.0, 1.1], radius = 0.1, material = \"soft\", velocity = " +
+        velocity + " }]\n" + parts);
+    std::smatch found;
+    return std::regex_search(text, found, std::regex("an impact to come +at ([0-9.]+) m/s")) ? std::stod(found[1])
+                                                                                             : NAN;
+  };
+  const std::string floor = "{ point = [0.0, 0.0], normal = [0.0, 1.0], material = \"soft\" }";
+  const double by_fall = 4.43;  // m/s, sqrt(2 g 1 m)
+  EXPECT_NEAR(speed_of("wall = [" + floor + "]\n"), by_fall, 0.005);
+  EXPECT_NEAR(speed_of("wall = [" + floor +
+                       ", { point = [1000.0, -500.0], normal = [0.4472135954999579, "
+                       "0.8944271909999159], material = \"soft\" }]\n"),
+              by_fall, 0.005);
+  EXPECT_NEAR(
+      speed_of("wall = [" + floor + ", { point = [-1.0, -1000.0], normal = [1.0, 1e-9], material = \"soft\" }]\n"),
+      by_fall, 0.005);
+  EXPECT_NEAR(speed_of("wall = [" + floor +
+                       "]\nplate = [{ left_edge = 50.0, lower_edge = -80.0, width = 1.0, height = "
+                       "1.0, velocity = [0.0, 0.0], material = \"soft\" }]\n"),
+              by_fall, 0.005);
+  EXPECT_NEAR(speed_of("wall = [" + floor + "]\n", "[0.0, -3.0]"), 5.35, 0.005) << "sqrt(v^2 + 2 g 1 m)";
+  EXPECT_NEAR(
+      speed_of("[[lattice]]\norigin = [-0.2, 0.0]\nrows = 2\ncolumns = 5\nspacing = 0.1\nnode_mass = 1.0\n"
+               "contact_radius = 0.01\nfixed_rows = [0]\nmaterial = \"soft\"\nstructural = { stiffness = 1e4, damping "
+               "= 1.0 }\n"),
+      4.18, 0.005)
+      << "the upper row at 0.1 m, its radius 0.01 m: sqrt(2 g 0.89 m)";
 }
 
 }  // namespace

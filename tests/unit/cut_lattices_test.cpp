@@ -50,6 +50,17 @@ TEST_P(CutLattices, AreSaid) {
   EXPECT_TRUE(watched(allowing_all(scene), "verlet", 1e-4, 0.6).warnings.empty());
 }
 
+// Another lattice elsewhere, with nodes close together, makes no plate longer than the segments that it meets.
+TEST(CutLattice, IsSaidBesideAFinerOne) {
+  Scene scene = empty_scene();
+  Lattice coarse = lattice({0, 0}, 3, 3, 0.02), fine = lattice({1, 0}, 2, 2, 0.0015);
+  coarse.fixed_rows = {2}, fine.fixed_rows = {0};
+  coarse.structural = fine.structural = link_kind(1e3, 1);
+  scene.lattice = {coarse, fine};
+  scene.plate = {plate({0.008, -0.0051}, 0.004, 5e-5, {0, 4})};
+  EXPECT_EQ(watched(scene, "verlet", 1e-6, 0.005).of(WatchKind::crossing_lattices).verdict(), Verdict::warned);
+}
+
 // A plate that pushes nodes aside stands in the lattice's outline as it bends, and goes through none of its segments.
 TEST(CutLattice, ThatBendRoundAPlateAreNot) {
   Scene scene = empty_scene();

@@ -1,6 +1,8 @@
 // When the watch over the energy looks, and what it lets pass.
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "methods/stability.h"
 #include "watched_run.h"
 
@@ -121,6 +123,20 @@ TEST(EnergyWatch, WhatMeetsNothingHidesNothing) {
       worst = std::max(worst, alone.of(kind).worst);
     }
     EXPECT_GT(worst, 0.1) << method << ": or nothing was tried";
+  }
+}
+
+// A method of first order does not keep the energy of a fall. Wherever the origin is, that is no fault of the scene, and a heavy
+// disc that falls so beside a light one at rest is none.
+TEST(EnergyWatch, AFallByAFirstOrderMethodIsSoundFromAnyHeight) {
+  for (const auto& [height, step, end] :
+       {std::tuple{1.0, 1e-6, 0.01}, {100.0, 1e-6, 0.01}, {1000.0, 1e-5, 0.02}, {-500.0, 1e-5, 0.02}}) {
+    Scene scene = empty_scene();
+    scene.model.gravity = 9.81;
+    scene.disc = {disc({0, height}, 0.01)};
+    const WatchedRun r = watched(scene, "symplectic_euler", step, end);
+    EXPECT_EQ(r.end.ending, Ending::finished) << height << ": " << r.end.reason;
+    EXPECT_TRUE(r.warnings.empty()) << height << ": " << r.warnings[0];
   }
 }
 
