@@ -12,6 +12,7 @@
 #include "run/observe.h"
 #include "scene/read.h"
 #include "scene/wording.h"
+#include "system/place.h"
 
 namespace furrow {
 namespace {
@@ -167,8 +168,9 @@ class Comparison {
     const NodeMotion nodes = system.nodes(scene_.time.end, own.end);
     State theirs = own.end;
     double apart = 0, ours_high = 0, theirs_high = 0;
+    const std::vector<int> place = places_in(system.parts().disc.number);
     for (const EngineBody& body : engine.end) {
-      const int k = body.id - 1;
+      const int k = discs > 0 ? place[static_cast<std::size_t>(body.id - 1)] : body.id - 1;
       const Vec2 at = discs > 0 ? Vec2{own.end[system.x_of(k)], own.end[system.y_of(k)]} : Vec2{nodes.x[k], nodes.y[k]};
       apart = std::max(apart, std::hypot(at.x - body.at.x, at.y - body.at.y));
       if (discs == 0) continue;

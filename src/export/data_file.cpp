@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/wording.h"
+#include "system/place.h"
 
 namespace furrow {
 namespace {
@@ -39,11 +40,12 @@ std::string discs(const Prepared& prepared, const AtomKinds& kinds) {
   const DiscArrays& disc = system.parts().disc;
   const State& y = prepared.y;
   std::string atoms = "\nAtoms\n\n", speeds = "\nVelocities\n\n";
-  for (int i = 0; i < disc.count(); ++i) {
-    atoms += line({words(i + 1, kinds.of_disc[static_cast<std::size_t>(i)] + 1), shortest(2 * disc.radius[i]),
+  for (const int i : places_in(disc.number)) {
+    const int id = disc.number[i] + 1;
+    atoms += line({words(id, kinds.of_disc[static_cast<std::size_t>(i)] + 1), shortest(2 * disc.radius[i]),
                    density(disc.mass[i], disc.radius[i]), words(y[system.x_of(i)], y[system.y_of(i)]), "0"});
-    speeds += line(
-        {std::to_string(i + 1), words(y[system.vx_of(i)], y[system.vy_of(i)]), "0 0 0", shortest(system.spin(y, i))});
+    speeds +=
+        line({std::to_string(id), words(y[system.vx_of(i)], y[system.vy_of(i)]), "0 0 0", shortest(system.spin(y, i))});
   }
   return atoms + speeds;
 }

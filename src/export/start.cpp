@@ -20,7 +20,7 @@ NodeSetting& setting_of(Lattice& lattice, int row, int column) {
 void move_discs(const Prepared& prepared, Scene& scene) {
   const System& system = prepared.system;
   for (int i = 0; i < system.parts().disc.count(); ++i) {
-    Disc& disc = scene.disc[static_cast<std::size_t>(i)];
+    Disc& disc = scene.disc[static_cast<std::size_t>(system.parts().disc.number[i])];
     disc.position = {prepared.y[system.x_of(i)], prepared.y[system.y_of(i)]};
     disc.velocity = {prepared.y[system.vx_of(i)], prepared.y[system.vy_of(i)]};
     disc.spin = system.spin(prepared.y, i);
