@@ -174,6 +174,7 @@ Report speed(const Shelf& shelf) {
   } else {
     add_rivals(report, numbers, rivals);
   }
+  add_bonds(report, numbers);
   add_limit(report, numbers);
   add_profile(report, numbers);
   add_scale(report, numbers);

@@ -12,6 +12,7 @@ void add_profile(Report& report, const Numbers& numbers);
 void add_scale(Report& report, const Numbers& numbers);
 void add_tracking(Report& report, const Numbers& numbers);
 void add_beyond(Report& report, const Numbers& numbers);
+void add_bonds(Report& report, const Numbers& numbers);
 
 // The file's content; null if there is none.
 Json measured(const Numbers& numbers, const std::string& file);
