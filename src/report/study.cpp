@@ -37,7 +37,8 @@ Json json_of(Figure figure) {
           {"caption", std::move(figure.caption)},
           {"description", std::move(figure.description)},
           {"variables", std::move(figure.variables)},
-          {"blocks", std::move(figure.blocks)}};
+          {"blocks", std::move(figure.blocks)},
+          {"folded", std::move(figure.folded)}};
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct Figure {
   std::string caption, description;
   Json variables = Json::object();  // name: number or text
   Json blocks = Json::object();     // name: list of rows; a row is numbers and, last, perhaps a label
+  std::string folded{};             // not empty: shown when opened, under this line
 };
 
 // What the numbers bear out or not: value first, then the aim, then the mark.

@@ -118,6 +118,14 @@ class Page(unittest.TestCase):
                 b.run("new Promise(f => setTimeout(f, 300))")
                 self.assertLess(abs(b.run(top)), 120, f"{section} at a width of {size[0]}")
 
+    def test_the_contents_show_the_section_in_view(self):
+        b = self.open()
+        shown = "(([a, n]) => a && a.top >= n.top && a.bottom <= n.bottom)(['#contents a.current', '#contents'].map(s => document.querySelector(s)?.getBoundingClientRect()))"
+        for section in ("scenario_3", "verification", "part_made"):
+            b.open((REPORT / "index.html").as_uri() + "#" + section)
+            b.wait(f"document.querySelector('#contents a.current')?.getAttribute('href') === '#{section}'")
+            self.assertTrue(b.run(shown), f"the line of {section} is out of sight")
+
     def test_what_can_be_cited_has_an_id(self):
         b = self.open()
         self.assertEqual(b.run("[...document.querySelectorAll('h2, h3, h4, main table, main figure')].filter(e => !e.id && !e.closest('section[id], details[id], .player')).map(e => e.outerHTML.slice(0, 80))"), [])

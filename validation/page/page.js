@@ -43,6 +43,8 @@
       const line = lines.get(here.id);
       line.classList.add("current");
       line.setAttribute("aria-current", "true");
+      const box = contents.getBoundingClientRect(), at = line.getBoundingClientRect();
+      if (at.top < box.top || at.bottom > box.bottom) contents.scrollTop += at.top - box.top - contents.clientHeight / 3;
     }
   };
   let waiting = false;

@@ -68,6 +68,8 @@ Figure matrix_figure(const Observations& all, bool of_velocity) {
                    " agree, others are framed; -: a method that cannot carry forces that depend on velocity.";
   figure.variables = {{"width", static_cast<double>(problems().size())}, {"height", y}};
   figure.blocks = {{"cells", cells}, {"wanted", wanted}, {"columns", columns}, {"rows", rows}};
+  if (of_velocity)
+    figure.folded = "The same of the velocity: " + std::to_string(held) + " of " + std::to_string(count) + " agree";
   return figure;
 }
 
