@@ -3,7 +3,8 @@
 
 # After all targets are known: those of which every piece has been compiled. Another joins by its name here.
 set(FURROW_COMPILED_TOGETHER furrow furrow_export furrow_commands furrow_report furrow_page furrow_studies furrow_engines
-  furrow_program unit_tests command_line_tests verification_tests validation_tests)
+  furrow_program unit_tests command_line_tests verification_tests validation_tests tools_tests judge_tests property_tests
+  case_oracles fault_study)
 function(furrow_compile_together)
   set(lines "")
   foreach(target IN LISTS FURROW_COMPILED_TOGETHER)
