@@ -25,6 +25,7 @@
 #include "run/events.h"
 #include "run/prepare.h"
 #include "scene/packing.h"
+#include "system/place.h"
 
 namespace {
 
@@ -97,10 +98,11 @@ double difference(const Bed& bed) {
   const int one = tile;
   const int other = bed.discs() - 2 * tile;
   double greatest = 0;
+  const std::vector<int> place = furrow::places_in(bed.system.parts().disc.number);
   for (int i = 0; i < tile; ++i) {
     for (const auto at : {&furrow::System::vx_of, &furrow::System::vy_of}) {
       const auto rate = [&](int disc) {
-        return bed.rates[(bed.system.*at)(bed.number.empty() ? disc : bed.number[disc])];
+        return bed.rates[(bed.system.*at)(place[bed.number.empty() ? disc : bed.number[disc]])];
       };
       greatest = std::max(greatest, std::fabs(rate(one + i) - rate(other + i)));
     }
