@@ -52,8 +52,8 @@ class Workshop {
   // Puts the change in place of the one before. Throws std::runtime_error if its text does not stand just once.
   void put(const Change& change);
 
-  // Those of the page's tests that fail, or do not end. Builds what is needed for a verdict that is not kept; throws
-  // std::runtime_error if it does not build.
+  // Those of the page's tests that fail, or do not end. Builds what is needed for a verdict that is not kept, or that is
+  // bad and of no change; throws std::runtime_error if it does not build.
   std::set<std::string> failing_tests(const Page& page);
 
  private:
