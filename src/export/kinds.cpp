@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "system/place.h"
+
 namespace furrow {
 namespace {
 
@@ -42,7 +44,10 @@ AtomKind kind_of_node(const Parts& parts, int node) {
 
 AtomKinds atom_kinds(const Parts& parts) {
   AtomKinds all;
-  for (const int material : parts.disc.material) all.of_disc.push_back(index_of(all.kind, {.material = material}));
+  all.of_disc.resize(parts.disc.material.size());
+  for (const int i :
+       places_in(parts.disc.number))  // as the scene lists them, so that a deck of its own scene is the same
+    all.of_disc[static_cast<std::size_t>(i)] = index_of(all.kind, {.material = parts.disc.material[i]});
   for (int k = 0; k < parts.node.count(); ++k) all.of_node.push_back(index_of(all.kind, kind_of_node(parts, k)));
   for (int k = 0; k < parts.link.count(); ++k) {
     if (std::binary_search(parts.link.notched.begin(), parts.link.notched.end(), k)) continue;

@@ -10,6 +10,7 @@
 #include "scene/gaps.h"
 #include "scene/labels.h"
 #include "scene/wording.h"
+#include "system/place.h"
 
 namespace furrow {
 namespace {
@@ -22,11 +23,12 @@ void print_speed(const std::string& pair, const Parts& parts, const ContactId& c
     line(pair, "from %.3g m/s on; with its damping from %.3g m/s", elastic, elastic / impact_factor(law));
 }
 
-// One disc of each radius, mass and material, at most so many.
+// One disc of each radius, mass and material, at most so many, as the scene lists them.
 std::vector<int> kinds_of_discs(const DiscArrays& disc) {
   constexpr std::size_t most = 8;
   std::vector<int> kinds;
-  for (int i = 0; i < disc.count() && kinds.size() < most; ++i) {
+  for (const int i : places_in(disc.number)) {
+    if (kinds.size() == most) break;
     const auto same = [&](int k) {
       return disc.radius[k] == disc.radius[i] && disc.mass[k] == disc.mass[i] && disc.material[k] == disc.material[i];
     };

@@ -1,7 +1,7 @@
 // Discs are stored, and so their forces summed, in the order of the scene where they fit in one block (system/order.h).
-// More of them are stored along a curve through their places at t = 0, so that those that may touch are near in memory
-// whatever the order in which the scene lists them. The order follows from the scene alone. What a user sees has the
-// scene's numbers.
+// More of them are stored along a curve through the places that the scene gives them, before they settle, so that those
+// that may touch are near in memory whatever the order in which the scene lists them. The order follows from the scene
+// alone. What a user sees has the scene's numbers.
 #pragma once
 
 #include <vector>

@@ -25,6 +25,7 @@
   const open = (yes) => {
     contents.classList.toggle("open", yes);
     button.setAttribute("aria-expanded", yes);
+    if (yes) $("#contents a.current")?.scrollIntoView({ block: "nearest" });
   };
   button.addEventListener("click", () => open(!contents.classList.contains("open")));
   contents.addEventListener("click", (e) => e.target.closest("a") && open(false));
