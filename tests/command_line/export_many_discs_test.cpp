@@ -18,11 +18,13 @@ std::string many() {
   scene.precision(17);
   scene << "title = \"Many discs\"\ntime = { end = 1e-4, step = 1e-5, method = \"verlet\" }\noutput = { interval = "
            "1e-5 }\n"
-           "contact = {}\nmodel = { gravity = 0.0 }\nmaterial = [{ name = \"m\", young = 2e7, poisson = 0.3 }]\n"
+           "contact = {}\nmodel = { gravity = 0.0 }\nmaterial = [{ name = \"m\", young = 2e7, poisson = 0.3 }, { name "
+           "= \"n\", young = 1e7, poisson = 0.3 }]\n"
            "wall = [{ point = [0.0, -1.0], normal = [0.0, 1.0], material = \"m\" }]\n";
   for (int k = 0; k < wide * high; ++k)
     scene << "[[disc]]\nposition = [" << 0.025 * (wide - k % wide) << ", " << 0.025 * (high - k / wide)
-          << "]\nvelocity = [" << 1e-3 * (k % 7) << ", 0.0]\nradius = " << radius_of(k) << "\nmaterial = \"m\"\n";
+          << "]\nvelocity = [" << 1e-3 * (k % 7) << ", 0.0]\nradius = " << radius_of(k) << "\nmaterial = \""
+          << (k == 0 ? "m" : "n") << "\"\n";
   return scene.str();
 }
 
@@ -45,6 +47,7 @@ TEST_F(Comparing, ManyDiscsKeepTheirNumbers) {
     double diameter = 0, density = 0, x = 0, y = 0;
     ASSERT_TRUE(cells >> id >> type >> diameter >> density >> x >> y) << line;
     atoms[id] = {diameter, x, y};
+    EXPECT_EQ(type, id == 1 ? 1 : 2) << "kinds are numbered as the scene lists them";
   }
   ASSERT_EQ(atoms.size(), straight.size());
   for (int k = 0; k < wide * high; ++k) {
@@ -60,6 +63,12 @@ TEST_F(Comparing, ManyDiscsKeepTheirNumbers) {
   put_end(10);
   EXPECT_EQ(furrow("export --compare deck").code, 1) << "no force was there to be compared";
   EXPECT_LT(compared("deck")["end"]["greatest_distance"].get<double>(), 1e-12) << out();
+}
+
+TEST_F(Comparing, ExplainNamesTheFirstDiscsOfTheScene) {
+  put("scene.toml", many());
+  ASSERT_EQ(furrow("explain scene.toml").code, 0) << err();
+  EXPECT_NE(out().find("disc of 0.006 m"), std::string::npos) << out();
 }
 
 }  // namespace
