@@ -90,6 +90,28 @@ TEST(KernelIsReference, WhereALawOfRollingSpringsMeetsNodesAlone) {
   EXPECT_GT(both.contacts(), 100);
 }
 
+// A tear lays a face bare that a disc touches already and that no list has: nothing has moved far enough for a new one.
+TEST(KernelIsReference, WhereATearLaysBareWhatADiscTouches) {
+  Scene scene = of_one_material();
+  scene.model.new_faces = true;
+  scene.disc = {{{-0.012, 0.03}, 0.033, {}, 0, "soft"}};  // deep in the cell behind the link that tears
+  Lattice l;
+  l.origin = {0, 0};
+  l.rows = 4;
+  l.columns = 4;
+  l.spacing = 0.02;
+  l.node_mass = 0.2;
+  l.material = "soft";
+  l.structural = {2000, 1, 1};
+  l.node.push_back({2, 0, {}, {0, 1}, {}});  // at this speed its link holds for five steps
+  scene.lattice = {l};
+  BothSolvers both(scene);
+  EXPECT_EQ(both.run("pece", 1e-4, 12), "");
+  const DiscreteState end = both.kernel().discrete_state();
+  EXPECT_FALSE(end.torn.empty());
+  EXPECT_NE(end.border, System(scene).discrete_state().border) << "no face came";
+}
+
 // A contact that was long apart and touches at a stage of a step, but neither before nor after it, keeps its slot: the
 // method may remember its slip.
 TEST(KernelIsReference, WhereDiscsTouchWithinAStepAlone) {
