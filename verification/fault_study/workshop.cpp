@@ -137,7 +137,8 @@ std::vector<Page> pages_of(const Places& places, const std::set<std::string>& me
 Page kernel_is_reference(const Places& places) {
   const fs::path home = places.tree / "tests/property";
   Page page{.name = "kernel_is_reference", .program = "property_of_faulty"};
-  const std::string text = text_of(home / "kernel_is_reference_test.cpp");
+  const std::string text =
+      text_of(home / "kernel_is_reference_test.cpp") + text_of(home / "kernel_is_reference_cases_test.cpp");
   static const std::regex test(R"(\b(?:TEST|RC_GTEST_PROP)\((KernelIsReference), (\w+)\b)");
   for (std::sregex_iterator found(text.begin(), text.end(), test), end; found != end; ++found)
     page.tests.push_back((*found)[1].str() + "." + (*found)[2].str());
