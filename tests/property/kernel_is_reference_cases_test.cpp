@@ -18,6 +18,10 @@ Scene of_one_material() {
   return scene;
 }
 
+Lattice four_columns(int rows) {
+  return {.origin = {0, 0}, .rows = rows, .columns = 4, .spacing = 0.02, .node_mass = 0.2, .material = "soft"};
+}
+
 // What these tests say of a difference.
 TEST(KernelIsReference, ADifferenceIsNamedByItsNumberAndItsContact) {
   Scene scene = of_one_material();
@@ -74,13 +78,7 @@ TEST(KernelIsReference, WhereALawOfRollingSpringsMeetsNodesAlone) {
   scene.model.rolling = Rolling::spring;
   scene.contact = {.friction = 0.3, .rolling_friction = 0.3};
   scene.wall = {{"", {0, 0}, {0, 1}, "soft"}};
-  Lattice l;
-  l.origin = {0, 0};
-  l.rows = 3;
-  l.columns = 4;
-  l.spacing = 0.02;
-  l.node_mass = 0.2;
-  l.material = "soft";
+  Lattice l = four_columns(3);
   l.structural = {2000, 1, infinity};
   for (int column = 0; column < 4; ++column)  // the last one comes first, and takes the first slot
     l.node.push_back({0, column, {0, 3e-4 * (4 - column)}, {0.1 * column, -1}, {}});
@@ -95,13 +93,7 @@ TEST(KernelIsReference, WhereATearLaysBareWhatADiscTouches) {
   Scene scene = of_one_material();
   scene.model.new_faces = true;
   scene.disc = {{{-0.012, 0.03}, 0.033, {}, 0, "soft"}};  // deep in the cell behind the link that tears
-  Lattice l;
-  l.origin = {0, 0};
-  l.rows = 4;
-  l.columns = 4;
-  l.spacing = 0.02;
-  l.node_mass = 0.2;
-  l.material = "soft";
+  Lattice l = four_columns(4);
   l.structural = {2000, 1, 1};
   l.node.push_back({2, 0, {}, {0, 1}, {}});  // at this speed its link holds for five steps
   scene.lattice = {l};

@@ -38,17 +38,23 @@ Scene pressed_row() {
   return scene;
 }
 
+// Its lowest row is fixed.
+Lattice standing() {
+  Lattice lattice{.rows = 5, .columns = 3, .spacing = 0.1, .node_mass = 5, .material = "soft"};
+  lattice.fixed_rows = {0};
+  lattice.structural = link_kind(2e4, 20);
+  lattice.shear = lattice.bending = link_kind(1e4, 20);
+  lattice.auxiliary_points = 0;
+  return lattice;
+}
+
 // A disc pressed onto the right side of a lattice whose lowest row is fixed and that swings.
 Scene pressed_lattice() {
   Scene scene = pressed_row();
   scene.disc.resize(1);
   scene.plate.clear();
   scene.wall.clear();
-  Lattice lattice{.rows = 5, .columns = 3, .spacing = 0.1, .node_mass = 5, .material = "soft"};
-  lattice.fixed_rows = {0};
-  lattice.structural = link_kind(2e4, 20);
-  lattice.shear = lattice.bending = link_kind(1e4, 20);
-  lattice.auxiliary_points = 0;
+  Lattice lattice = standing();
   lattice.node = {{.row = 4, .column = 1, .velocity = {0.02, -0.01}}};
   scene.lattice = {lattice};
   scene.disc[0].position = {0.298, 0.24};
@@ -73,12 +79,8 @@ Scene torn() {
   scene.disc.resize(1);
   scene.plate.clear();
   scene.wall.clear();
-  Lattice lattice{.rows = 5, .columns = 3, .spacing = 0.1, .node_mass = 5, .material = "soft"};
-  lattice.fixed_rows = {0};
-  lattice.structural = link_kind(2e4, 20);
-  lattice.shear = lattice.bending = link_kind(1e4, 20);
+  Lattice lattice = standing();
   lattice.structural.strength = lattice.shear.strength = 60;  // N
-  lattice.auxiliary_points = 0;
   lattice.node = {{.row = 4, .column = 1}};
   scene.lattice = {lattice};
   scene.disc[0].position = {0.305, 0.38};
