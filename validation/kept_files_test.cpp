@@ -135,7 +135,7 @@ TEST(AgeOfKeptFiles, IsOnThePage) {
   evidence.faults = left("faults.json", faults(of_physics));
   evidence.judgements = left("judgements.json", judgements(of_physics));
   EXPECT_EQ(missing_evidence(evidence), std::vector<std::string>{});
-  EXPECT_EQ(ages_in_words(evidence), "faults: 0 of 2; judgements: 2 of 3");
+  EXPECT_EQ(ages_in_words(evidence), "faults: 0 of 2 of today's sources; judgements: 2 of 3 of today's sources");
   Page page;
   for (const std::string& html :
        {faults_part(faults(of_physics), page), judgements_section(evidence.judgements, "1", page)})

@@ -92,7 +92,8 @@ TEST(Svg, FilledMarksAreEndsOfLinesAndOthersKeepTheirShape) {
                     "<use xlink:href='#gpPt5' transform='translate(1.00,2.00) scale(3.00)' color='rgb(255, 0, 0)'/>")),
       "x", "");
   EXPECT_TRUE(has(svg, "stroke-width=\"6\" stroke-linecap=\"round\" d=\"M10 20h0M30 20h0\"")) << svg;
-  EXPECT_TRUE(has(svg, "<use href=\"#gpPt5\" transform=\"translate(1,2) scale(3)\"")) << svg;
+  // 0.33 times the scale of 3 is 1, 0.67 is 2, to a hundredth of a pixel.
+  EXPECT_TRUE(has(svg, "transform=\"scale(3)\"><use href=\"#gpPt5\" x=\".33\" y=\".67\"/></g>")) << svg;
 }
 
 TEST(Svg, ADiscWithARimIsOneCircle) {

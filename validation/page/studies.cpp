@@ -188,7 +188,7 @@ std::string ages_in_words(const Evidence& evidence) {
   std::string words = ages_of_studies(evidence);
   for (const KeptFile& file : kept_files(evidence))
     words += (words.empty() ? "" : "; ") + file.id + ": " + std::to_string(file.age.results - file.age.old) + " of " +
-             std::to_string(file.age.results);
+             std::to_string(file.age.results) + " of today's sources";
   return words;
 }
 

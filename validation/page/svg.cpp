@@ -195,8 +195,13 @@ class Compactor {
     if (place.known && shape == "#gpPt6") return disc(place, colour, opacity);
     release();
     if (place.known && shape == "#gpPt4") return dot(place, colour, opacity, "square");
-    add(" color=\"" + colour + "\"" + opacity,
-        "<use href=\"" + shape + "\" transform=\"" + short_numbers(transform, 2) + "\"/>");
+    const std::string paint = " color=\"" + colour + "\"" + opacity, use = "<use href=\"" + shape + "\"";
+    if (!place.known) return add(paint, use + " transform=\"" + short_numbers(transform, 2) + "\"/>");
+    // The group scales, so that a mark says no more than its place.
+    const std::string scale = short_number(place.scale, 2);
+    const double scaled = std::strtod(scale.c_str(), nullptr);
+    add(paint + " transform=\"scale(" + scale + ")\"",
+        use + " x=\"" + short_number(place.x / scaled, 2) + "\" y=\"" + short_number(place.y / scaled, 2) + "\"/>");
   }
 
   // A disc on a larger one at the same place is one circle with a rim, so each waits for the next.
@@ -241,29 +246,9 @@ class Compactor {
     if (fill != "currentColor") common += " fill=\"" + fill + "\"";
     for (const SvgNode& child : node.children) {
       if (child.name != "text") continue;
-      const std::string words = spans(child);
+      const std::string words = words_of(child);
       if (!words.empty()) add(common, "<text" + placed + ">" + words + "</text>");
     }
-  }
-
-  static std::string spans(const SvgNode& text) {
-    std::string words;
-    for (const SvgNode& child : text.children) {
-      if (child.name.empty()) {
-        words += child.text;
-        continue;
-      }
-      std::string attributes;
-      for (const auto& [key, value] : child.attributes) {
-        if (key != "font-family" && !value.empty() && value != "normal") attributes += " " + key + "=\"" + value + "\"";
-      }
-      const std::string inner = spans(child);
-      if (attributes.empty())
-        words += inner;
-      else if (!inner.empty() || child.attribute("dy") != "")
-        words += "<tspan" + attributes + ">" + inner + "</tspan>";
-    }
-    return words;
   }
 
   static bool shared(const SvgNode& defs) { return text_of(defs).find("gpDot") != std::string::npos; }

@@ -113,4 +113,24 @@ std::string text_of(const SvgNode& node) {
   return text + "</" + node.name + ">";
 }
 
+std::string words_of(const SvgNode& text) {
+  std::string words;
+  for (const SvgNode& child : text.children) {
+    if (child.name.empty()) {
+      words += child.text;
+      continue;
+    }
+    std::string attributes;
+    for (const auto& [key, value] : child.attributes) {
+      if (key != "font-family" && !value.empty() && value != "normal") attributes += " " + key + "=\"" + value + "\"";
+    }
+    const std::string inner = words_of(child);
+    if (attributes.empty())
+      words += inner;
+    else if (!inner.empty() || (child.attribute("dy") != "" && &child != &text.children.back()))
+      words += "<tspan" + attributes + ">" + inner + "</tspan>";
+  }
+  return words;
+}
+
 }  // namespace furrow::validation

@@ -26,4 +26,7 @@ SvgNode parsed_svg(std::string_view file);
 
 std::string text_of(const SvgNode& node);
 
+// The words of a <text>: its spans keep what they change; one that says and shifts nothing is left out.
+std::string words_of(const SvgNode& text);
+
 }  // namespace furrow::validation
