@@ -1,7 +1,9 @@
 // A claim that rests on times does not hold by times of another solver, in the record of a study or of one that it reads.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "report/study.h"
 #include "tests/files.h"
@@ -47,14 +49,60 @@ TEST(OldTimes, DoNotCarryAClaimOfAStudyThatReadsThem) {
   EXPECT_TRUE(run_study(reader, {.directory = place.path()}, {reader}).empty()) << "its own numbers are of today";
 }
 
+// ---- what a claim rests on ----
+
+// A claim that names its numbers falls by the age of these alone.
+TEST(OldTimes, TouchTheClaimsThatRestOnThemAlone) {
+  Report report("Times", "How fast?");
+  report.claim({.text = "one", .holds = true, .timed = true, .numbers = {"one.json", "other.json"}});
+  report.claim({.text = "all", .holds = true, .timed = true});
+  report.claim({.text = "right", .holds = true, .numbers = {"one.json"}});
+  const Json said = report.json(), claims = said.at("claims");
+  const auto holding = [&](const std::set<std::string>& old) {
+    std::string texts;
+    for (const Json& claim : claims) texts += holds_today(claim, old) ? claim.at("text").get<std::string>() + " " : "";
+    return texts;
+  };
+  EXPECT_EQ(holding({}), "one all right ");
+  EXPECT_EQ(holding({"third.json"}), "one right ");
+  EXPECT_EQ(holding({"other.json"}), "right ");
+}
+
+// A name that no number has would never be old.
+TEST(OldTimes, AreLookedForUnderNamesThatAreKept) {
+  const std::filesystem::path all = FURROW_SOURCE_DIR "/reference_data/studies";
+  const Shelf shelf(all);
+  int named = 0;
+  for (const Study& study : catalogue()) {
+    std::set<std::string> kept;
+    for (const Study& other : catalogue()) {
+      const bool read = std::find(study.reads.begin(), study.reads.end(), other.name) != study.reads.end();
+      if (!read && other.name != study.name) continue;
+      for (const Result& result : shelf.of(other.name).results()) kept.insert(result.key);
+    }
+    const Json report = study.chapter(shelf).json();
+    for (const char* list : {"claims", "headlines"}) {
+      for (const Json& said : report.at(list)) {
+        for (const Json& key : said.at("numbers")) {
+          EXPECT_EQ(kept.count(key.get<std::string>()), 1u) << study.name << ": " << key;
+          ++named;
+        }
+      }
+    }
+  }
+  EXPECT_GE(named, 10);  // claims and headlines of the speed alone
+}
+
 // ---- what the page makes of it ----
 
 TEST(Claims, SayTheValueThenTheAimThenTheMark) {
   Shelf none("");
   for (const bool old : {false, true}) {
     Page page;
-    const std::string html =
-        chapter_html({.name = "timed", .report = timed.chapter(none).json(), .old_times = old}, "1", page);
+    const std::string html = chapter_html({.name = "timed",
+                                           .report = timed.chapter(none).json(),
+                                           .old_times = old ? std::set<std::string>{"a"} : std::set<std::string>{}},
+                                          "1", page);
     const std::size_t value = html.find("1 s"), aim = html.find("(aim: at most 2 s)"),
                       mark = html.find(old ? "times older than the solver" : "holds"), text = html.find("fast</li>");
     EXPECT_LT(value, aim) << html;

@@ -154,7 +154,7 @@ TEST(Age, IsOfTheSourcesThatDecide) {
   today["src/physics/contact.h"] = "2";
   const Age age = age_of(numbers, today);
   EXPECT_EQ(age.old, 2u);
-  EXPECT_EQ(age.old_timed, 1u);
+  EXPECT_EQ(age.old_times.size(), 1u);
   EXPECT_EQ(age.changed, std::vector<std::string>{"src/physics/contact.h"});
 }
 

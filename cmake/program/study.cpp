@@ -95,7 +95,7 @@ int words_command(const StudyOptions& options) {
   const Shelf shelf(options.directory);
   for (const Study* study : studies_asked_for(options)) {
     const Json chapter = chapter_of(*study, shelf, options);
-    const bool old_times = rests_on_old_times(*study, shelf, validation::catalogue());
+    const std::set<std::string> old_times = old_times_of(*study, shelf, validation::catalogue());
     std::printf("# %s\n\n%s\n\n", chapter.at("title").get<std::string>().c_str(),
                 chapter.at("question").get<std::string>().c_str());
     for (const Json& claim : chapter.at("claims")) {

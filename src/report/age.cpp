@@ -26,7 +26,7 @@ Age age_of(const Numbers& numbers, const Today& today) {
     age.old += old ? 1 : 0;
     age.unknown += unknown ? 1 : 0;
     age.timed += result.timed ? 1 : 0;
-    age.old_timed += old && result.timed ? 1 : 0;
+    if (old && result.timed) age.old_times.insert(result.key);
     changed.insert(files->second.begin(), files->second.end());
   }
   age.changed.assign(changed.begin(), changed.end());

@@ -20,7 +20,7 @@ void require_numbers(const std::string& study, const std::string& of, const fs::
   if (Numbers::read(file).study() != of) throw FileError(file.string() + ": is not the study " + of + makes);
 }
 
-std::vector<std::string> refuted(const Json& report, bool old_times) {
+std::vector<std::string> refuted(const Json& report, const std::set<std::string>& old_times) {
   std::vector<std::string> texts;
   for (const Json& claim : report.at("claims")) {
     if (holds_today(claim, old_times)) continue;
@@ -87,13 +87,16 @@ Report& Report::claim(Claim claim) {
                              {"value", std::move(claim.value)},
                              {"aim", std::move(claim.aim)},
                              {"holds", claim.holds},
-                             {"timed", claim.timed}});
+                             {"timed", claim.timed},
+                             {"numbers", std::move(claim.numbers)}});
   return *this;
 }
 
 Report& Report::headline(Headline headline) {
-  json_["headlines"].push_back(
-      {{"tile", std::move(headline.tile)}, {"value", std::move(headline.value)}, {"text", std::move(headline.text)}});
+  json_["headlines"].push_back({{"tile", std::move(headline.tile)},
+                                {"value", std::move(headline.value)},
+                                {"text", std::move(headline.text)},
+                                {"numbers", std::move(headline.numbers)}});
   return *this;
 }
 
@@ -117,15 +120,24 @@ const Numbers& Shelf::of(const std::string& study) const {
 
 void Shelf::put(Numbers numbers) { read_.insert_or_assign(numbers.study(), std::move(numbers)); }
 
-bool rests_on_old_times(const Study& study, const Shelf& shelf, const std::vector<Study>& all) {
-  const auto old = [&](const Study& one) { return age_of(shelf.of(one.name), one.sources()).old_timed > 0; };
-  return old(study) || std::any_of(all.begin(), all.end(), [&](const Study& other) {
-           return std::find(study.reads.begin(), study.reads.end(), other.name) != study.reads.end() && old(other);
-         });
+std::set<std::string> old_times_of(const Study& study, const Shelf& shelf, const std::vector<Study>& all) {
+  std::set<std::string> old = age_of(shelf.of(study.name), study.sources()).old_times;
+  for (const Study& other : all) {
+    if (std::find(study.reads.begin(), study.reads.end(), other.name) == study.reads.end()) continue;
+    old.merge(age_of(shelf.of(other.name), other.sources()).old_times);
+  }
+  return old;
 }
 
-bool holds_today(const Json& claim, bool old_times) {
-  return claim.at("holds").get<bool>() && !(old_times && claim.value("timed", false));
+bool rests_on(const Json& said, const std::set<std::string>& old_times) {
+  const Json numbers = said.value("numbers", Json::array());
+  if (numbers.empty()) return !old_times.empty();
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [&](const Json& key) { return old_times.count(key.get<std::string>()) > 0; });
+}
+
+bool holds_today(const Json& claim, const std::set<std::string>& old_times) {
+  return claim.at("holds").get<bool>() && !(claim.value("timed", false) && rests_on(claim, old_times));
 }
 
 std::vector<std::string> run_study(const Study& study, const Settings& settings, const std::vector<Study>& all) {
@@ -137,7 +149,7 @@ std::vector<std::string> run_study(const Study& study, const Settings& settings,
   Shelf shelf(settings.directory);
   shelf.put(measurement.numbers());
   const Report chapter = study.chapter(shelf);
-  return refuted(chapter.json(), rests_on_old_times(study, shelf, all));
+  return refuted(chapter.json(), old_times_of(study, shelf, all));
 }
 
 AgeToday age_today(const Study& study, const Numbers& kept) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "report/age.h"
 #include "report/measurement.h"
@@ -27,12 +28,14 @@ struct Claim {
   std::string text;          // a sentence
   std::string value, aim{};  // "3.2 times", "at least 4": what was found, what would do
   bool holds = false;
-  bool timed = false;  // rests on measured times: cannot hold by numbers older than the solver
+  bool timed = false;                  // rests on measured times: cannot hold by numbers older than the solver
+  std::vector<std::string> numbers{};  // the keys of those that it rests on; none: all that the study keeps or reads
 };
 
 // What the first screen of the page says of a study. `tile`: the part of the page whose question it answers.
 struct Headline {
-  std::string tile, value, text;  // "paper", "29 of 72", "judgements of ..."
+  std::string tile, value, text;       // "paper", "29 of 72", "judgements of ..."
+  std::vector<std::string> numbers{};  // as those of a claim
 };
 
 // What the page shows of a study, part by part. Cells of tables: numbers are shown with three digits, texts as they
@@ -83,12 +86,14 @@ struct Study {
   Sources sources() const { return that_decide(sources_of_this_program(), files, watched); }
 };
 
-// Whether times that the chapter of a study rests on, its own or those of the studies that it reads, are older than the
-// solver. `all` are the studies to look among.
-bool rests_on_old_times(const Study& study, const Shelf& shelf, const std::vector<Study>& all);
+// The keys of the times that a study keeps, or reads of others among `all`, and that are older than the solver.
+std::set<std::string> old_times_of(const Study& study, const Shelf& shelf, const std::vector<Study>& all);
+
+// Whether one of them is among the numbers of a claim or headline of Report::json().
+bool rests_on(const Json& said, const std::set<std::string>& old_times);
 
 // Whether a claim of Report::json() is shown today: times that are older than the solver bear nothing out.
-bool holds_today(const Json& claim, bool old_times);
+bool holds_today(const Json& claim, const std::set<std::string>& old_times);
 
 // Measures the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold today, where
 // those of `all` that it reads count too. Throws Interrupted.

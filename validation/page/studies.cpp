@@ -201,7 +201,7 @@ std::vector<StudyResult> study_results(const Evidence& evidence) {
     if (!study) continue;
     StudyResult result{name, study->chapter(shelf).json(), "", age_of(shelf.of(name), study->sources())};
     result.made_by = command_of(*study);
-    result.old_times = rests_on_old_times(*study, shelf, evidence.catalogue);
+    result.old_times = old_times_of(*study, shelf, evidence.catalogue);
     for (const Maker& maker : shelf.of(name).makers()) result.machines.insert(maker.machine);
     std::vector<std::string> read{name};
     read.insert(read.end(), study->reads.begin(), study->reads.end());

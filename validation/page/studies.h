@@ -16,9 +16,9 @@ struct StudyResult {
   Json report;      // what its chapter says, see study.h
   std::string age;  // HTML: when, by which commit and machine the numbers were made, and what changed since
   Age numbers;      // of its own numbers
-  bool old_times = false;
-  std::set<std::string> machines{};  // that its numbers were made on
-  std::string made_by{};             // the command that makes them
+  std::set<std::string> old_times{};  // see old_times_of
+  std::set<std::string> machines{};   // that its numbers were made on
+  std::string made_by{};              // the command that makes them
 };
 
 // Those of all studies that can be shown, in the order of the page; what cannot is said by missing_evidence.

@@ -78,7 +78,7 @@ void take_headlines(const std::vector<StudyResult>& studies, std::vector<Tile>& 
       if (tile == tiles.end()) continue;
       const std::string value = typeset(escaped(headline.at("value").get<std::string>())),
                         words = typeset(escaped(headline.at("text").get<std::string>())) +
-                                (study.old_times ? " Older than the solver." : "");
+                                (rests_on(headline, study.old_times) ? " Older than the solver." : "");
       if (tile->value.empty())
         tile->value = value, tile->text = words;
       else

@@ -50,7 +50,8 @@ std::string law_and_evaluations(const Json& program) {
 void add_headlines(Report& report, const Json& pece, const Json& best, const Json* same) {
   report.headline({.tile = "fast",
                    .value = rounded(pece.at("cpu_time").get<double>(), 3) + " µs a step",
-                   .text = "of the paper's method, two evaluations, in a bed of 230 discs on one core."});
+                   .text = "of the paper's method, two evaluations, in a bed of 230 discs on one core.",
+                   .numbers = {"rivals.json"}});
   const Json& first = same ? *same : best;
   std::string text = "takes " + law_and_evaluations(first) + " as furrow with one evaluation; " +
                      rounded(ratio_of(first) / ratio_of(pece), 3) +
@@ -58,7 +59,10 @@ void add_headlines(Report& report, const Json& pece, const Json& best, const Jso
   if (same && same != &best)
     text += " The fastest has another law: " + law_and_evaluations(best) + ": " + rounded(ratio_of(best), 3) + " and " +
             rounded(ratio_of(best) / ratio_of(pece), 3) + " times.";
-  report.headline({.tile = "engines", .value = rounded(ratio_of(first), 3) + " times as long", .text = text});
+  report.headline({.tile = "engines",
+                   .value = rounded(ratio_of(first), 3) + " times as long",
+                   .text = text,
+                   .numbers = {"rivals.json"}});
 }
 
 void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
@@ -121,24 +125,28 @@ void add_rivals(Report& report, const Numbers& numbers, const Json& rivals) {
                 .value = rounded((*best)["ratio"][1].get<double>(), 3) + " times",
                 .aim = "more than 1",
                 .holds = (*best)["ratio"][0].get<double>() > 1,
-                .timed = true});
+                .timed = true,
+                .numbers = {"rivals.json"}});
   report.claim({.text = "CPU time of the fastest rival that agrees, " + law_and_evaluations(*best) +
                         ", over that of the paper's method in furrow, which has two evaluations a step.",
                 .value = rounded(over, 3) + " times",
                 .aim = "at least 4",
                 .holds = over >= 4,
-                .timed = true});
+                .timed = true,
+                .numbers = {"rivals.json"}});
 }
 
 void add_limit(Report& report, const Numbers& numbers) {
   std::vector<std::vector<Json>> rows;
   double all_over = 0;
   std::string machines;
+  std::vector<std::string> read;
   for (const char* width : {"none", "avx2", "avx512"}) {
     const Json measured = kernel_report(numbers, width);
     const auto times = contact_times(measured);
     if (times.size() < 3) continue;
     name_also(machines, measured);
+    read = {std::string("kernel_") + width + ".json"};  // the widest vectors make the claim
     const double bound = times.at("bound"), law = times.at("law"), whole = times.at("pairs_law_and_sums");
     all_over = whole / bound;
     rows.push_back({width, bound, law, whole, law / bound, whole / bound});
@@ -158,7 +166,8 @@ void add_limit(Report& report, const Numbers& numbers) {
                 .value = rounded(all_over, 3) + " times",
                 .aim = "at most 2.5",
                 .holds = all_over <= 2.5,
-                .timed = true});
+                .timed = true,
+                .numbers = read});
 }
 
 }  // namespace

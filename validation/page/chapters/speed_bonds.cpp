@@ -76,7 +76,8 @@ void add_bonds(Report& report, const Numbers& numbers) {
                     .value = rounded(ratio[1].get<double>(), 3) + " times",
                     .aim = "at least " + rounded(pair.aim, 2),
                     .holds = ratio[1].get<double>() >= pair.aim,
-                    .timed = true});
+                    .timed = true,
+                    .numbers = {"rivals_bonds.json"}});
   }
   report.table(
       "CPU time of a step in turn, without rows of output: medians, and the ratio round by round, median with the "

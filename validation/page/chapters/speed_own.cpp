@@ -170,18 +170,21 @@ void add_scale(Report& report, const Numbers& numbers) {
                 .value = rounded(most / least, 2) + " times",
                 .aim = "at most 1.5",
                 .holds = most / least <= 1.5,
-                .timed = true});
+                .timed = true,
+                .numbers = {"scale_2300.json", "scale_23000.json", "scale_230000.json", "scale_1000000.json"}});
   report.claim({.text = "Disc-evaluations a second of a million discs on one thread.",
                 .value = rounded(1e3 / most, 3) + " million",
                 .aim = "at least 20 million",
                 .holds = 1e3 / most >= 20,
-                .timed = true});
+                .timed = true,
+                .numbers = {"scale_1000000.json"}});
   if (gain.is_number())
     report.claim({.text = "Two threads in an evaluation of a million discs, times as fast as one.",
                   .value = rounded(gain.get<double>(), 3) + " times",
                   .aim = "at least 1.8",
                   .holds = gain.get<double>() >= 1.8,
-                  .timed = true});
+                  .timed = true,
+                  .numbers = {"scale_1000000.json"}});
 }
 
 }  // namespace furrow::validation
