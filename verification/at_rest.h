@@ -1,10 +1,11 @@
 // Where a scene rests at one moment: Newton's method on the accelerations that the solver gives, differenced.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "run/system.h"
+#include "verification/studies/algebra.h"
 
 namespace furrow::verification {
 
@@ -35,7 +36,7 @@ inline Eigen::MatrixXd tangent(const System& system, double t, const State& y, d
 inline State at_rest(const System& system, double t, State y, double difference) {
   for (int step = 0; step < 12; ++step) {
     const Eigen::VectorXd a = accelerations(system, t, y);
-    const Eigen::VectorXd by = tangent(system, t, y, difference).partialPivLu().solve(a);
+    const Eigen::VectorXd by = solved(tangent(system, t, y, difference), a);
     for (Eigen::Index k = 0; k < by.size(); ++k) y[k] -= by[k];
     if (by.norm() < 1e-13 * difference / 1e-6) break;
   }

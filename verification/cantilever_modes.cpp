@@ -27,8 +27,8 @@ TEST(Cantilever, SwingsAtTheFrequenciesOfItsStiffnessAndMass) {
     const Assembly own(b);
     const auto modes = own.modes();
     for (int j = 0; j < 3; ++j) {
-      const double omega = std::sqrt(modes.eigenvalues()[j] / b.mass);
-      const Vector shape = modes.eigenvectors().col(j) / modes.eigenvectors().col(j).cwiseAbs().maxCoeff();
+      const double omega = std::sqrt(modes.values[j] / b.mass);
+      const Vector shape = modes.vectors.col(j) / modes.vectors.col(j).cwiseAbs().maxCoeff();
       System system(scene_of(b, 0));
       State y = system.initial_state();
       for (int i = 0; i < shape.size() / 2; ++i) {
@@ -49,13 +49,10 @@ TEST(Cantilever, SwingsAtTheFrequenciesOfItsStiffnessAndMass) {
                       "truncation of rk4: (omega h)^4/120 = 1.3e-9, doubled; the amplitude of 1 um adds "
                       "(1 um/0.08 m)^2 = 2e-10"));
       // Sylvester: K - w^2 m has as many negative pivots as there are frequencies below w.
-      Sparse shifted = own.stiffness(Vector::Zero(own.load.size()));
+      const Sparse k = own.stiffness(Vector::Zero(own.load.size()));
       for (const double side : {-1e-9, 1e-9}) {
-        Sparse k = shifted;
-        for (int i = 0; i < k.rows(); ++i) k.coeffRef(i, i) -= modes.eigenvalues()[j] * (1 + side);
-        const Vector pivots = Eigen::SimplicialLDLT<Sparse>(k).vectorD();
         expect("frequencies below it " + std::string(side < 0 ? "less" : "plus") + " 1e-9" + name,
-               static_cast<double>((pivots.array() < 0).count()), side < 0 ? j : j + 1, exact("a count"));
+               eigenvalues_below(k, modes.values[j] * (1 + side)), side < 0 ? j : j + 1, exact("a count"));
       }
     }
   }

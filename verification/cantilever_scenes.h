@@ -57,7 +57,7 @@ inline Vector solver_rest(const Beam& b, const Assembly& own, const Vector& rest
   Vector left(rest.size());  // N
   for (int i = 0; i < rest.size() / 2; ++i)
     left.segment<2>(2 * i) << b.mass * rates[system.vx_of(i)], b.mass * rates[system.vy_of(i)];
-  return rest + Vector(Eigen::SimplicialLDLT<Sparse>(own.stiffness(rest)).solve(left));
+  return rest + solved(own.stiffness(rest), left);
 }
 
 }  // namespace furrow::verification::cantilever

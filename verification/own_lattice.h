@@ -3,17 +3,15 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <complex>
 #include <string>
 #include <tuple>
 #include <vector>
 
-namespace furrow::verification {
+#include "verification/studies/algebra.h"
 
-using Vector = Eigen::VectorXd;
-using Sparse = Eigen::SparseMatrix<double>;
+namespace furrow::verification {
 
 struct Beam {
   int rows, columns, clamped_rows = 0, clamped_columns = 0;
@@ -101,19 +99,16 @@ struct Assembly {
     return k;
   }
 
-  Vector linear() const { return Eigen::SimplicialLDLT<Sparse>(stiffness(Vector::Zero(load.size()))).solve(load); }
+  Vector linear() const { return solved(stiffness(Vector::Zero(load.size())), load); }
 
   Vector equilibrium() const {
     Vector u = Vector::Zero(load.size());
-    for (int iteration = 0; iteration < 6; ++iteration)
-      u += Eigen::SimplicialLDLT<Sparse>(stiffness(u)).solve(load + pull(u, nullptr));
+    for (int iteration = 0; iteration < 6; ++iteration) u += solved(stiffness(u), load + pull(u, nullptr));
     return u;
   }
 
   // Eigenvalues of K are w^2 m.
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes() const {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness(Vector::Zero(load.size()))));
-  }
+  Modes modes() const { return modes_of(Eigen::MatrixXd(stiffness(Vector::Zero(load.size())))); }
 
   // Energy of springs and load for complex displacements.
   std::complex<double> energy(const Eigen::VectorXcd& u) const {

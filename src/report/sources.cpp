@@ -49,9 +49,9 @@ Beginnings of_faults() {
     if (of_pages && file != "verification/commands.h") own.push_back(file);
   }
   for (const char* study :
-       {"amplification.", "blow_up.", "growth.", "numbers_of_others.", "order_cure.", "order_hertz.", "order_observed.",
-        "order_predicted.", "order_problems.", "order_reference.", "order_trends.", "published_problems.",
-        "published_schemes.", "published_table.", "scene_stability."})
+       {"algebra.", "amplification.", "blow_up.", "growth.", "numbers_of_others.", "order_cure.", "order_hertz.",
+        "order_observed.", "order_predicted.", "order_problems.", "order_reference.", "order_trends.",
+        "published_problems.", "published_schemes.", "published_table.", "scene_stability."})
     own.push_back(std::string("verification/studies/") + study);
   return own;
 }

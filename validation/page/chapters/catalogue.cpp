@@ -66,8 +66,9 @@ const std::vector<Study>& catalogue() {
        .chapter = order},
       {.name = "responses",
        .what = "one contact, one spring, one bent lattice beside closed forms; published impacts",
-       .files = of_verification(
-           {"responses."}, {"verification/oblique_", "verification/bare_lattice.", "verification/cantilever_scenes.",
+       .files =
+           of_verification({"algebra.", "responses."},
+                           {"verification/oblique_", "verification/bare_lattice.", "verification/cantilever_scenes.",
                             "verification/damped_hertz.", "verification/hertz_law.", "verification/own_lattice.",
                             "verification/round_body.", "verification/running."}),
        .measure = verification::measure_responses,
