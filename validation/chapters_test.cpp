@@ -81,7 +81,7 @@ TEST(Chapters, SayOfRivalsWhatLawAndHowManyEvaluationsTheyHave) {
   const Json report = speed(kept()).json();
   const std::string text = headline_of(report, "engines").at("text");
   EXPECT_TRUE(has(text, " (the same law")) << text;
-  EXPECT_TRUE(has(text, ", 1 evaluation a step) as furrow with one evaluation")) << text;
+  EXPECT_TRUE(has(text, ", 1 evaluation a step) in that bed as furrow with one evaluation")) << text;
   const auto ratio_of = [](const Json& b) { return b.at("ratio")[1].get<double>(); };
   double same = infinity, another = infinity;
   for (const Json& b : kept().of("speed").find("rivals.json")->value.at("benchmarks")) {

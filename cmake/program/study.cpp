@@ -83,10 +83,8 @@ void print_part(const Json& part) {
 Json chapter_of(const Study& study, const Shelf& shelf, const StudyOptions& options) {
   try {
     return study.chapter(shelf).json();
-  } catch (const Json::exception&) {
-    throw FileError(options.directory + "/" + study.name + ".json" +
-                    ": its numbers are of an earlier form of this study; furrow study " + study.name +
-                    " makes them again");
+  } catch (const Json::exception& error) {
+    throw FileError(options.directory + ": " + no_chapter(study, error.what()));
   }
 }
 

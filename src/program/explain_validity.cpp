@@ -104,13 +104,25 @@ void print_allowed(const Scene& scene) {
   if (a.behind_walls) line("walls", "centres of discs may lie behind them");
   if (a.through_plates) line("plates", "centres may cross them");
   if (a.through_lattices) line("lattices", "centres may cross their borders");
-  if (a.crossing_lattices.value_or(false)) line("lattices", "they may cross each other or themselves");
+  if (a.crossing_lattices.value_or(false))
+    line("lattices", "they may cross each other or themselves, plates and, where they are torn, bodies");
 }
 
 namespace {
 
+// Whether something below its centre touches a disc, by its number in the system: it is pressed, and falls no further.
+std::vector<bool> held_from_below(const Prepared& prepared) {
+  std::vector<bool> held(prepared.system.parts().disc.radius.size());
+  prepared.system.for_each_contact(0, prepared.y, [&](const Contact& c) {
+    if (!of_disc(c.id.kind)) return;
+    if (c.ny < 0) held[c.id.a] = true;
+    if (c.id.kind == disc_disc && c.ny > 0) held[c.id.b] = true;
+  });
+  return held;
+}
+
 // m: the highest place straight below a disc, of walls that slope by less than 80 degrees, plates and nodes; -infinity: none,
-// it falls past all. Other discs are left out: they are in the way at most.
+// it falls past all. Other discs that it does not touch are left out: they are in the way at most.
 double place_below(const Prepared& prepared, int disc) {
   const Parts& parts = prepared.system.parts();
   const State& y = prepared.y;
@@ -133,8 +145,10 @@ double place_below(const Prepared& prepared, int disc) {
 // m/s: the greatest with which a disc comes to what is below it.
 double falling_speed(const Prepared& prepared) {
   const System& system = prepared.system;
+  const std::vector<bool> held = held_from_below(prepared);
   double fastest = 0;
   for (int i = 0; i < system.parts().disc.count(); ++i) {
+    if (held[i]) continue;
     const double below = place_below(prepared, i);
     if (!std::isfinite(below)) continue;
     const double drop = prepared.y[system.y_of(i)] - system.parts().disc.radius[i] - below;
@@ -144,8 +158,8 @@ double falling_speed(const Prepared& prepared) {
   return fastest;
 }
 
-// m/s: what a disc at rest that just touches reaches by its weight, which presses it in by d: v^2 = 2 g d(v). At least the
-// speed of the lightest; the sequence rises to it.
+// m/s: what a disc at rest that just touches reaches by its weight, which presses it in by d: v^2 = 2 g d(v). As d
+// grows less than v^2, the iteration comes to it from either side.
 double loading_speed(const Parts& parts) {
   double speed = 0;
   for (int i = 0; i < parts.disc.count(); ++i) {

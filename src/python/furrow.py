@@ -648,11 +648,13 @@ class _Members:
 
     def _write(self):
         text = json.dumps({"made_by": self.MADE_BY, "members": self.members}, indent=2, ensure_ascii=False) + "\n"
+        half = self.directory / f".{self.NAME}.{os.getpid()}"
         try:
-            with tempfile.NamedTemporaryFile("w", dir=self.directory, prefix=".ensemble_", encoding="utf-8", delete=False) as file:
+            with open(half, "x", encoding="utf-8") as file:
                 file.write(text)
-            os.replace(file.name, self.directory / self.NAME)
+            os.replace(half, self.directory / self.NAME)
         except OSError as wrong:
+            half.unlink(missing_ok=True)
             raise Error(f"cannot write {self.directory / self.NAME}: {wrong.strerror}") from None
 
 

@@ -148,8 +148,18 @@ std::vector<std::string> run_study(const Study& study, const Settings& settings,
   fs::remove(settings.directory / (study.name + ".runs.jsonl"));
   Shelf shelf(settings.directory);
   shelf.put(measurement.numbers());
-  const Report chapter = study.chapter(shelf);
-  return refuted(chapter.json(), old_times_of(study, shelf, all));
+  try {
+    return refuted(study.chapter(shelf).json(), old_times_of(study, shelf, all));
+  } catch (const Json::exception& error) {
+    throw FileError(settings.directory.string() + ": " + no_chapter(study, error.what()));
+  }
+}
+
+std::string no_chapter(const Study& study, const std::string& why) {
+  std::string read = study.name;
+  for (const std::string& other : study.reads) read += ", " + other;
+  return "of the numbers of " + read + " no chapter can be made (" + why +
+         "): some are of an earlier form, or the chapter asks for others; " + study.command() + " makes them again";
 }
 
 AgeToday age_today(const Study& study, const Numbers& kept) {

@@ -84,6 +84,7 @@ struct Study {
   bool watched = false;   // its numbers say whether and why a watch ended a run
 
   Sources sources() const { return that_decide(sources_of_this_program(), files, watched); }
+  std::string command() const { return made_by.empty() ? "furrow study " + name : made_by; }
 };
 
 // The keys of the times that a study keeps, or reads of others among `all`, and that are older than the solver.
@@ -98,6 +99,9 @@ bool holds_today(const Json& claim, const std::set<std::string>& old_times);
 // Measures the study and writes settings.directory/NAME.json, sealed. Returns the claims that do not hold today, where
 // those of `all` that it reads count too. Throws Interrupted.
 std::vector<std::string> run_study(const Study& study, const Settings& settings, const std::vector<Study>& all = {});
+
+// What to say where its chapter cannot be made of the numbers that are kept, and `why`: which studies it reads, what makes them.
+std::string no_chapter(const Study& study, const std::string& why);
 
 // How old the kept numbers are, with what goes into each today compared; nothing is run. `not_kept`: keys of results that
 // the study would make today and that are not there.

@@ -13,7 +13,7 @@ CrossingBorders cut_by_plates(const System& system, double t, const State& y);
 // All of it: borders that cross each other, cells that are inside out, borders that plates cut.
 CrossingBorders standing_crossings(const System& system, double t, const State& y);
 
-// m: the least way on which one of these may come and go; infinity without a lattice.
+// m: the least way on which one of these may come and go, where there is a lattice.
 double least_crossing_way(const Parts& parts);
 
 }  // namespace furrow

@@ -12,7 +12,8 @@
 //   crossing_lattices pairs of border segments that cross, of two lattices or of one,   0               -
 //                    which do not touch each other, and cells that are inside out or
 //                    folded over; or nodes that have crossed another lattice's border;
-//                    or border segments that go through a plate, from side to opposite side
+//                    or border segments that go through a plate, from side to opposite side;
+//                    or bodies that go through a torn border
 //   impact           energy of a contact, of what carries the one through the other   1               -
 //   step             step, of the largest stable one at the contacts that are there   0.5             -
 //   arrival          step, of the largest stable one in an impact at the greatest      1              -

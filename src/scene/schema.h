@@ -126,7 +126,9 @@ void describe(auto& v, Allow& a) {
   v("through_plates", a.through_plates, plain("true", "Whether centres may cross the middle of a plate."));
   v("through_lattices", a.through_lattices, plain("true", "Whether centres may cross the border of a lattice."));
   v("crossing_lattices", a.crossing_lattices,
-    plain("true", "Whether lattices may cross each other or themselves, and cells turn inside out. Left out: no."));
+    plain("true",
+          "Whether lattices may cross each other or themselves, cells turn inside out, plates go through a lattice, "
+          "and bodies through a torn border. Left out: no."));
 }
 
 void describe(auto& v, Scene& s) {

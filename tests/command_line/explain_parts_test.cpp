@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,28 @@ TEST_F(Explain, ADiscFallsToWhatIsStraightBelowIt) {
                "= 1.0 }\n"),
       4.18, 0.005)
       << "the upper row at 0.1 m, its radius 0.01 m: sqrt(2 g 0.89 m)";
+}
+
+// What something below already holds, a plate or another disc, comes to no further place below it.
+TEST_F(Explain, WhatIsHeldFromBelowDoesNotFall) {
+  const auto said = [&](const std::string& heights, const std::string& parts) {
+    std::string all;
+    std::istringstream words(heights);
+    for (std::string y; words >> y;) all += "{ position = [0.0, " + y + "], radius = 0.1, material = \"soft\" },";
+    return explain(
+        "title = \"Held\"\noutput = { interval = 0.01 }\ntime = { end = 0.1, method = \"verlet\", step = 1e-6 }\n"
+        "contact = { damping_factor = 0.3 }\nmaterial = [{ name = \"soft\", young = 1e8, poisson = 0.3 }]\n"
+        "wall = [{ point = [0.0, -50.0], normal = [0.0, 1.0], material = \"soft\" }]\ndisc = [" +
+        all + "]\n" + parts);
+  };
+  const auto falls = [](const std::string& text) { return text.find("that of a fall") != std::string::npos; };
+  const std::string plate =
+      "plate = [{ left_edge = -0.5, lower_edge = 0.5, width = 1.0, height = 0.5, velocity = [0.0, 0.0], material = "
+      "\"soft\" }]\n";
+  EXPECT_FALSE(falls(said("1.0999", plate))) << "0.1 mm deep in the plate, 51 m above the wall";
+  EXPECT_TRUE(falls(said("1.5", plate))) << "0.4 m above it";
+  EXPECT_FALSE(falls(said("1.0999 1.2998 1.4997", plate))) << "piled";
+  EXPECT_TRUE(falls(said("-40.0 -39.8001", ""))) << "of two that touch each other the lower one falls";
 }
 
 }  // namespace

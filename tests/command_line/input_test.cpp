@@ -60,7 +60,6 @@ TEST_F(Input, OptionsThatSetOneKeyTwiceAreRefusedNotDropped) {
                  "--set plate[0].velocity: --set plate[0].velocity.x sets it too");
 }
 
-// As a variable of a shell that is not set leaves it: no default, no file beside, and nothing is run before it is said.
 TEST_F(Input, AVectorWidthThatIsMisspeltIsRefusedNotAnother) {
   for (const char* wrong : {"None", "foo", "''", "avx", "sse2"}) {
     const Result r = furrow("methods", std::string("FURROW_VECTORS=") + wrong);
@@ -71,6 +70,7 @@ TEST_F(Input, AVectorWidthThatIsMisspeltIsRefusedNotAnother) {
     EXPECT_EQ(furrow("methods", std::string("FURROW_VECTORS=") + right).code, 0) << right;
 }
 
+// As a variable of a shell that is not set leaves it: no default, no file beside, and nothing is run before it is said.
 TEST_F(Input, AnEmptyValueIsRefusedNotTheDefault) {
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --out ''", "--out: must not be empty");
   expect_refusal("run " + scene("scenario_1") + " --until 0.01 --resume ''", "--resume: must not be empty");

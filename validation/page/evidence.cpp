@@ -53,8 +53,8 @@ std::string unfit_numbers(const Study& study, const fs::path& directory) {
     return {};
   } catch (const FileError& error) {
     return error.what();
-  } catch (const Json::exception&) {
-    return file.string() + ": its numbers are of an earlier form of this study, so no chapter can be made of them";
+  } catch (const Json::exception& error) {
+    return directory.string() + ": " + no_chapter(study, error.what());
   } catch (const std::exception& error) {
     return file.string() + ": no chapter can be made of it (" + error.what() + ")";
   }

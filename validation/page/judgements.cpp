@@ -61,7 +61,7 @@ std::string cell_of(const Json& said, bool foreign) {
   const std::string verdict = said.at(0);
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const Sign& s) { return s.verdict == verdict; });
   if (sign == signs.end()) return element("td", escaped(verdict));
-  // What an engine does instead has a table of its own; why it cannot stands here alone.
+  // What an engine does instead has a table of its own, as has why a method of furrow cannot.
   const bool cannot = foreign && verdict == "cannot";
   return "<td class=\"judged " + std::string(sign->kind) + "\" aria-label=\"" + verdict +
          (of_adapter(said) ? ", of the adapter" : "") + "\"" +
@@ -101,11 +101,15 @@ std::string instead(const Json& kept, Page& page) {
     for (const auto& [name, said] : engine.at("verdicts").items())
       if (!own(engine) && is_instead(said)) row(engine, kept.at("cases").value(name, name), said, name);
   }
-  // Of a method of furrow the cases with the same verdict share a row, with the words on the first.
+  // Of a method of furrow the cases with the same verdict share a row, with the words on the first; those that it cannot do,
+  // where the reason is the same.
   for (const Json& engine : kept.at("engines")) {
-    std::map<std::string, std::vector<std::string>> by_verdict;
-    for (const auto& [name, said] : engine.at("verdicts").items())
-      if (own(engine) && is_instead(said)) by_verdict[said.at(0)].push_back(name);
+    std::map<std::pair<std::string, std::string>, std::vector<std::string>> by_verdict;
+    for (const auto& [name, said] : engine.at("verdicts").items()) {
+      const bool cannot = said.at(0) == "cannot";
+      if (own(engine) && (cannot || is_instead(said)))
+        by_verdict[{said.at(0).get<std::string>(), cannot ? said.at(1).get<std::string>() : ""}].push_back(name);
+    }
     for (const auto& [verdict, names] : by_verdict)
       row(engine, joined(names), engine.at("verdicts").at(names[0]), names[0]);
   }

@@ -153,10 +153,6 @@ std::string claims_of(const StudyResult& result) {
   return rows.empty() ? rows : element("ul", rows, "claims");
 }
 
-std::string command_of(const Study& study) {
-  return study.made_by.empty() ? "furrow study " + study.name : study.made_by;
-}
-
 const Study* of_the_page(const Evidence& evidence, const std::string& name) {
   if (!unusable_study(evidence, name).empty()) return nullptr;
   return &*std::find_if(evidence.catalogue.begin(), evidence.catalogue.end(),
@@ -200,7 +196,7 @@ std::vector<StudyResult> study_results(const Evidence& evidence) {
     const Study* study = of_the_page(evidence, name);
     if (!study) continue;
     StudyResult result{name, study->chapter(shelf).json(), "", age_of(shelf.of(name), study->sources())};
-    result.made_by = command_of(*study);
+    result.made_by = study->command();
     result.old_times = old_times_of(*study, shelf, evidence.catalogue);
     for (const Maker& maker : shelf.of(name).makers()) result.machines.insert(maker.machine);
     std::vector<std::string> read{name};

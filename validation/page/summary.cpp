@@ -97,7 +97,7 @@ std::string tiles_of(const Evidence& evidence, const std::vector<StudyResult>& s
                           {"paper", "paper", "What of the paper stands?", "", ""}};
   if (v.checks > 0) {
     tiles[0].value = grouped(v.checks - v.failed) + " of " + grouped(v.checks);
-    tiles[0].text = "checks against closed forms hold.";
+    tiles[0].text = "checks against closed forms, or what was computed independently, hold.";
   }
   take_headlines(studies, tiles);
   const auto engines = std::find_if(tiles.begin(), tiles.end(), [](const Tile& t) { return t.id == "engines"; });

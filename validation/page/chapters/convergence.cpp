@@ -96,8 +96,9 @@ std::string in_plain_words(const std::string& reading, const Tally& tally) {
   text += tally.settled == tally.numbers ? "all " + count(tally.numbers) + " numbers settle"
                                          : count(tally.settled) + " of " + count(tally.numbers) + " numbers settle";
   text += std::string(" when the step is made fine enough, and so are the model's; at the paper's step") +
-          (tally.stable ? " " : ", which is not stable for them, ") + count(tally.at_papers_step) +
-          " are settled, the other " + count(tally.numbers - tally.at_papers_step) + " depend on the step.";
+          (tally.stable ? " " : ", by which the method makes more than all the energy that there is, ") +
+          count(tally.at_papers_step) + " are settled, the other " + count(tally.numbers - tally.at_papers_step) +
+          " depend on the step.";
   return text;
 }
 
@@ -156,7 +157,7 @@ Report convergence(const Shelf& shelf) {
     const double settled = settled_from(results, plan, c, id, spread_of(results, plan, c, id));
     if (!c.best())
       found.push_back({c, at_papers, finest, forces_by_step(results, plan, c, id), sound_forces(results, plan, c, id),
-                       !std::isnan(settled), instability_words(results, {c, "pece", papers_step}).empty()});
+                       !std::isnan(settled), energy_made(results, {c, "pece", papers_step})});
     if (std::isfinite(finest)) {
       report.text(c.title() + (std::isfinite(at_papers)
                                    ? ": the largest force is " + rounded(at_papers) + " N at the paper's step and " +

@@ -14,9 +14,9 @@ struct ConvergedForce {
   ConvergenceCase c;
   double at_papers = NAN, finest = NAN;  // N, with the paper's step and with the finest
   Json by_step;                          // step ms, N
-  std::vector<double> sound{};           // N, at the steps below the paper's that are stable
+  std::vector<double> sound{};           // N, at the finer steps by which the method makes less than all that energy
   bool settles = true;                   // at some step
-  bool stable = true;                    // by the paper's step
+  double made = 0;                       // of all the energy that the scene was given, by the paper's step
   double off() const { return std::fabs(at_papers / finest - 1); }
 };
 

@@ -74,8 +74,8 @@ std::string step_words(const Numbers& results, const ConvergencePlan& plan, cons
   if (from >= papers_step) return "does not depend on the step";
   const std::string unstable = instability_words(results, {c, "pece", papers_step});
   return "depends on the step: " + three_digits(papers) + " at " + in_ms(papers_step) +
-         (unstable.empty() ? "" : ", which is not stable") + ", " + three_digits(finest) + " at " +
-         in_ms(plan.steps.back());
+         (unstable.empty() ? "" : ", by which the method makes more than all the energy that there is") + ", " +
+         three_digits(finest) + " at " + in_ms(plan.steps.back());
 }
 
 }  // namespace furrow::validation

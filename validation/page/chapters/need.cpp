@@ -82,6 +82,7 @@ struct Verdict {
 // What is shown to be saved: the median and its interval. More than nothing if that leaves out nothing.
 std::string saved(const std::vector<double>& ratios) {
   const Interval cost = median_interval(ratios);
+  if (cost.samples < 6) return "not judged: too few pairs for an interval";
   const std::string interval = percent(1 - cost.high) + " to " + percent(1 - cost.low);
   return cost.low <= 1 && cost.high >= 1 ? "none shown: " + interval : percent(1 - cost.middle) + " (" + interval + ")";
 }
@@ -179,7 +180,8 @@ Report need(const Shelf& shelf) {
       "the chatter of the paper's step is not mistaken for an effect.");
   report.text(
       "CPU time saved is of the run, without settling. Runs with the term and without it are made side by side, in "
-      "turn the one and the other first, six pairs or more (in the quick form one): shown are the median of their "
+      "turn the one and the other first, six pairs or more (in the quick form one, which shows nothing): shown are the "
+      "median of their "
       "ratios and the interval that holds it in 95 of 100 cases. None is shown where that interval holds no change.");
   report.text(
       "What no scene of the paper has stands in brackets and is put in the place of what it has: 'not needed' then "

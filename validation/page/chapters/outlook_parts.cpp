@@ -22,6 +22,20 @@ double exponent_of(const Numbers& numbers, const OutlookVariation& v, int packin
   return n < 2 ? NAN : (n * xy - x * y) / (n * xx - x * x);
 }
 
+// "1 to 20 Pa": the values at which packings ran to their end.
+std::string ran_over(const Numbers& numbers, const OutlookVariation& v) {
+  std::vector<double> ran;
+  for (const double value : v.values) {
+    for (int packing = 0; packing < outlook_packings(numbers.quick()); ++packing) {
+      if (numbers.at(outlook_key(v, value, packing)).contains("failed")) continue;
+      ran.push_back(value);
+      break;
+    }
+  }
+  if (ran.empty()) return "no packing runs to its end";
+  return three_digits(ran.front()) + " to " + three_digits(ran.back()) + (v.unit == "-" ? "" : " " + v.unit);
+}
+
 }  // namespace
 
 Estimate::Estimate(const std::string& id, const std::vector<Json>& members) {
@@ -52,8 +66,7 @@ void add_sensitivity(Report& report, const Numbers& numbers) {
   std::vector<std::vector<Json>> rows;
   for (const OutlookVariation& v : outlook_variations()) {
     if (!measured(numbers, v) || v.values.front() <= 0) continue;
-    std::vector<Json> row{v.what, three_digits(v.values.front()) + " to " + three_digits(v.values.back()) +
-                                      (v.unit == "-" ? "" : " " + v.unit)};
+    std::vector<Json> row{v.what, ran_over(numbers, v)};
     for (const auto& [id, title] : asked) {
       std::vector<Json> exponents;
       for (int packing = 0; packing < outlook_packings(numbers.quick()); ++packing) {

@@ -1,23 +1,21 @@
 // The paper's first scene, which has no soil, on LAMMPS's bonds. Measured by benchmarks/rivals/bonds.py.
-#include <algorithm>
 #include <vector>
 
+#include "benchmarks/measuring/samples.h"
 #include "validation/page/chapters/speed_parts.h"
 
 namespace furrow::validation {
 namespace {
 
-double median(std::vector<double> all) {
-  std::sort(all.begin(), all.end());
-  return (all.at((all.size() - 1) / 2) + all.at(all.size() / 2)) / 2;
+// Times of LAMMPS over those of furrow, round by round.
+benchmarks::Interval over(const Json& theirs, const Json& ours) {
+  return benchmarks::median_interval(
+      benchmarks::ratios(theirs.get<std::vector<double>>(), ours.get<std::vector<double>>()));
 }
 
-// Times of LAMMPS over those of furrow, round by round: least, median, most.
-Json ratios(const Json& theirs, const Json& ours) {
-  std::vector<double> all;
-  for (std::size_t k = 0; k < theirs.size(); ++k) all.push_back(theirs[k].get<double>() / ours.at(k).get<double>());
-  return {*std::min_element(all.begin(), all.end()), median(all), *std::max_element(all.begin(), all.end())};
-}
+double median(const Json& times) { return benchmarks::median_interval(times.get<std::vector<double>>()).middle; }
+
+std::string in_ms(const Json& seconds) { return rounded(1e3 * seconds.get<double>(), 3) + " ms"; }
 
 struct Pair {
   const char *ours, *theirs, *words;
@@ -35,18 +33,30 @@ constexpr Pair pairs[] = {
 void add_agreement(Report& report, const Json& compared) {
   const Json& early = compared.at("early");
   std::vector<std::vector<Json>> rows;
+  std::string coarse, fine;
   for (const Json& part : early.at("parts")) {
     if (!part.contains("steps")) continue;  // no force in either
+    coarse = in_ms(part.at("steps").front().at("step"));
+    fine = in_ms(part.at("steps").back().at("step"));
     rows.push_back({part.at("part"), part.at("greatest"), part.at("steps").front().at("error"),
                     part.at("steps").back().at("error"), part.value("order", Json())});
   }
   const Json& links = compared.at("links");
   report.table("Error of the force over its greatest value up to " + rounded(early.at("until").get<double>(), 2) +
-                   " s, against furrow's rk4 at 0.01 ms. Links torn until then: LAMMPS " +
+                   " s, against furrow's rk4 at " + in_ms(early.at("step")) + ". Links torn until then: LAMMPS " +
                    links.at("engine_early").dump() + ", furrow " + links.at("early").dump() +
                    "; in all: " + links.at("engine").dump() + " and " + links.at("furrow").dump() + " of " +
                    links.at("compared").dump() + ", of which " + links.at("both").dump() + " by both",
-               {"on", "greatest [N]", "error at 0.1 ms", "error at 0.01 ms", "order"}, rows);
+               {"on", "greatest [N]", "error at " + coarse, "error at " + fine, "order"}, rows);
+}
+
+// What is another law there, as the deck says.
+std::string other_laws(const Json& compared) {
+  std::string words;
+  for (const Json& one : compared.at("deviations"))
+    words +=
+        (words.empty() ? "" : "; ") + one.at("text").get<std::string>() + " (" + one.at("key").get<std::string>() + ")";
+  return words;
 }
 
 }  // namespace
@@ -57,33 +67,33 @@ void add_bonds(Report& report, const Numbers& numbers) {
   if (all.is_null() || !all.contains("engine"))
     return not_measured(report, "scene 1 on LAMMPS's bonds", "scripts/rivals");
   report.text(
-      "Scene 1 has a plate and a lattice alone. `furrow export` makes bonds of its links, torn by fix bond/break. What "
-      "LAMMPS does not have is left out on both sides, the dampers of links, or is another law, the rule after a slip "
-      "and the corners of the plate, which are round there. So nothing is judged; what can be compared is the force "
-      "until "
-      "the first tear. " +
+      "Scene 1 has a plate and a lattice alone. `furrow export` makes bonds of its links, torn by fix bond/break. The "
+      "dampers of links, which LAMMPS does not have, are left out on both sides, and furrow takes LAMMPS's rule after "
+      "a "
+      "slip. Another law there: " +
+      other_laws(all.at("compared")) +
+      ". So nothing is judged; what can be compared is the force until the first tear. " +
       all.at("engine").get<std::string>() + ", on " + all.at("context").at("made_by").at("machine").get<std::string>() +
       ".");
   add_agreement(report, all.at("compared"));
   const Json& times = all.at("us_a_step");
   std::vector<std::vector<Json>> rows;
   for (const Pair& pair : pairs) {
-    const Json ratio = ratios(times.at(pair.theirs), times.at(pair.ours));
-    rows.push_back({pair.words, median(times.at(pair.ours).get<std::vector<double>>()),
-                    median(times.at(pair.theirs).get<std::vector<double>>()), spread(ratio), pair.aim});
-    if (std::string(pair.ours) == "furrow, PECE")
-      report.claim({.text = std::string("Scene 1: CPU time of LAMMPS over furrow's, ") + pair.words + ".",
-                    .value = rounded(ratio[1].get<double>(), 3) + " times",
-                    .aim = "at least " + rounded(pair.aim, 2),
-                    .holds = ratio[1].get<double>() >= pair.aim,
-                    .timed = true,
-                    .numbers = {"rivals_bonds.json"}});
+    const benchmarks::Interval ratio = over(times.at(pair.theirs), times.at(pair.ours));
+    rows.push_back({pair.words, median(times.at(pair.ours)), median(times.at(pair.theirs)),
+                    spread({ratio.low, ratio.middle, ratio.high}), pair.aim});
+    report.claim({.text = std::string("Scene 1: CPU time of LAMMPS over furrow's, the low end of its interval, ") +
+                          pair.words + ".",
+                  .value = rounded(ratio.low, 3) + " times",
+                  .aim = "at least " + rounded(pair.aim, 2),
+                  .holds = ratio.low >= pair.aim,
+                  .timed = true,
+                  .numbers = {"rivals_bonds.json"}});
   }
-  report.table(
-      "CPU time of a step in turn, without rows of output: medians, and the ratio round by round, median with the "
-      "least and the greatest of " +
-          std::to_string(times.begin()->size()) + " rounds",
-      {"furrow against LAMMPS", "furrow [µs]", "LAMMPS [µs]", "ratio", "aim"}, rows);
+  report.table("CPU time of a step in turn, without rows of output: medians of " +
+                   std::to_string(times.begin()->size()) +
+                   " rounds; the ratio round by round, median and its 95 % interval",
+               {"furrow against LAMMPS", "furrow [µs]", "LAMMPS [µs]", "ratio", "aim"}, rows);
 }
 
 }  // namespace furrow::validation

@@ -71,8 +71,8 @@ std::string bound(const Found& f, double papers) {
   if (!f.fastest.is_number()) return "";
   const double fastest = f.fastest, least = fastest * (f.info.span.end() - f.info.span.start) / 2;
   return " In " + scene_words(f.info.name) + " the fastest decay where the chart begins is " + rounded(fastest, 2) +
-         " 1/s, so the others need " + rounded(least, 2) + " evaluations to stay stable at all, " +
-         fixed(100 * least / papers, 0) + " % of the paper's.";
+         " 1/s, so the others are stable with " + rounded(least, 2) + " evaluations or more, " +
+         fixed(100 * least / papers, 0) + " % of the paper's; an error of a few per cent may be reached with fewer.";
 }
 
 // What the paper's own error costs another method, case by case.
@@ -143,11 +143,12 @@ void add_headline(Report& report, const std::vector<Found>& all) {
               spelt_out(best.method) + ")";
   }
   if (!errors.empty())
-    report.headline({.tile = "accurate",
-                     .value = errors,
-                     .text = "error of the force curve at the paper's setting: scene 1, then 0.1 s of scenes 2 and 3, "
-                             "whose runs part later, whatever the step. As good is the best method with " +
-                             shares + " of the paper's evaluations, its computations of all forces."});
+    report.headline(
+        {.tile = "accurate",
+         .value = errors,
+         .text = "error of the force curve at the paper's setting: scene 1, then the 0.1 s of scenes 2 and 3 "
+                 "that are charted. As good is the best method with " +
+                 shares + " of the paper's evaluations, its computations of all forces."});
 }
 
 }  // namespace
