@@ -142,6 +142,27 @@ TEST(AgeOfKeptFiles, IsOnThePage) {
     EXPECT_NE(html.find("before these sources changed: " + of_physics), std::string::npos) << html;
 }
 
+// Checks of a build before the last change do not stand as today's.
+TEST(AgeOfKeptFiles, ChecksAreAsOldAsTheBuildThatMadeThem) {
+  const test::OwnDirectory place;
+  const Json check{{"test", "A.B"}, {"requirement", "a.b"}, {"good", true}, {"error", 0.5}, {"tolerance", 1}};
+  Json all{{"tests", 1}, {"missing", Json::array()}, {"checks", {check, check}}};
+  const auto age = [&] {
+    Evidence evidence;
+    evidence.checks = place.path() / "checks.json";
+    Json kept = all;
+    seal(kept);
+    std::ofstream(evidence.checks) << kept.dump();
+    EXPECT_EQ(unusable_checks(evidence.checks), "");
+    return ages_in_words(evidence);
+  };
+  EXPECT_EQ(age(), "checks: 0 of 2 of today's sources") << "of an earlier form, which does not say what made them";
+  all["made_by"] = json_of(this_maker({{"src/physics/contact.h", "another"}}));
+  EXPECT_EQ(age(), "checks: 0 of 2 of today's sources");
+  all["made_by"] = json_of(this_maker(that_decide("faults")));
+  EXPECT_EQ(age(), "checks: 2 of 2 of today's sources");
+}
+
 TEST(AgeOfKeptFiles, AFileWhoseMakerIsNotThereIsNotShown) {
   const test::OwnDirectory place;
   const std::filesystem::path file = place.path() / "kept.json";

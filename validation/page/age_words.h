@@ -11,8 +11,8 @@ std::string words_of(const Numbers& numbers, const Age& age);
 // Why some are old: "3 of them were made before these sources changed: src/run/run.cpp."; empty if none are.
 std::string why_old(const Age& age);
 
-// "today's solver", or how many numbers are older, HTML.
-std::string age_chip(const Age& age);
+// "today's solver", or how many numbers are older, HTML. old_read: of those that it reads elsewhere.
+std::string age_chip(const Age& age, std::size_t old_read = 0);
 
 // The first of them, "and 3 more".
 std::string listed(const std::vector<std::string>& all, std::size_t most);

@@ -68,8 +68,23 @@ Age age_of_judgements(const Json& kept) {
                 {[&](const Result& r) -> const Sources& { return today.at(r.value.get<std::string>()); }, inputs});
 }
 
+Numbers numbers_of_checks(const Json& kept) {
+  Numbers numbers("checks", "full");
+  const Maker maker = kept.contains("made_by") ? maker_of(kept["made_by"]) : Maker();
+  for (std::size_t k = 0; k < kept.at("checks").size(); ++k)
+    numbers.add({.key = "check " + std::to_string(k), .value = {}}, maker);
+  return numbers;
+}
+
+Age age_of_checks(const Json& kept) { return age_of(numbers_of_checks(kept), that_decide("faults")); }
+
 std::vector<KeptFile> kept_files(const Evidence& evidence) {
   std::vector<KeptFile> files;
+  if (!evidence.checks.empty() && unusable_checks(evidence.checks).empty()) {
+    const Json kept = read_sealed(evidence.checks);
+    files.push_back({"checks", "Checks of verification", "scripts/test", kept.at("checks").size(),
+                     numbers_of_checks(kept), age_of_checks(kept)});
+  }
   if (!evidence.faults.empty() && unusable_faults(evidence.faults).empty()) {
     const Json kept = read_sealed(evidence.faults);
     files.push_back({"faults", "Faults that they notice", "scripts/faults", kept.at("results").size(),

@@ -1,4 +1,4 @@
-// What is kept beside the studies, faults.json and judgements.json, as numbers: so their age is told in the same way.
+// What is kept beside the studies, checks.json, faults.json and judgements.json, as numbers: so their age is told in the same way.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,9 +16,13 @@ Age age_of_faults(const nlohmann::ordered_json& kept);
 Numbers numbers_of_judgements(const nlohmann::ordered_json& kept);
 Age age_of_judgements(const nlohmann::ordered_json& kept);
 
+// A result for each check of verification, by its place in the list; what decides a fault's verdict decides it.
+Numbers numbers_of_checks(const nlohmann::ordered_json& kept);
+Age age_of_checks(const nlohmann::ordered_json& kept);
+
 struct KeptFile {
   std::string id, title, made_by;  // its part of the page, the command that makes it
-  std::size_t entries = 0;         // faults, engines
+  std::size_t entries = 0;         // checks, faults, engines
   Numbers numbers;
   Age age;
 };

@@ -204,6 +204,7 @@ std::vector<StudyResult> study_results(const Evidence& evidence) {
     for (const Study& other : evidence.catalogue) {
       if (std::find(read.begin(), read.end(), other.name) == read.end()) continue;
       const Age age = age_of(shelf.of(other.name), other.sources());
+      if (other.name != name) result.old_read += age.old;
       result.age += (other.name == name ? " " : " Of the study " + other.name + ": ") +
                     typeset(escaped(words_of(shelf.of(other.name), age)));
     }
@@ -237,7 +238,7 @@ std::string study_section(const StudyResult& result, const std::string& number, 
   const std::string id = page.id("study " + result.name);
   const std::string made = " By <code>" + result.made_by + "</code>:" + result.age;
   return "<section id=\"" + id + "\">\n" + chapter_html(result, number, page) +
-         element("p", age_chip(result.numbers) + made, "note") + "</section>\n";
+         element("p", age_chip(result.numbers, result.old_read) + made, "note") + "</section>\n";
 }
 
 std::string first_figure(const StudyResult& result, Page& page) {

@@ -13,9 +13,10 @@ namespace furrow::validation {
 
 struct StudyResult {
   std::string name;
-  Json report;      // what its chapter says, see study.h
-  std::string age;  // HTML: when, by which commit and machine the numbers were made, and what changed since
-  Age numbers;      // of its own numbers
+  Json report;               // what its chapter says, see study.h
+  std::string age;           // HTML: when, by which commit and machine the numbers were made, and what changed since
+  Age numbers;               // of its own numbers
+  std::size_t old_read = 0;  // of those that it reads of other studies
   std::set<std::string> old_times{};  // see old_times_of
   std::set<std::string> machines{};   // that its numbers were made on
   std::string made_by{};              // the command that makes them

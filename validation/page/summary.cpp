@@ -174,11 +174,12 @@ std::string makers_of(const Age& age, const std::set<std::string>& machines) {
 }
 
 std::string row_of(const std::string& id, const std::string& title, std::size_t entries, const Age& age,
-                   const std::string& makers, const std::string& command) {
+                   const std::string& makers, const std::string& command, std::size_t old_read = 0) {
   return element("tr", "<th scope=\"row\"><a href=\"#" + id + "\">" + title + "</a></th>" +
                            element("td", std::to_string(entries), "number") + element("td", when(age.first), "when") +
                            element("td", when(age.last), "when") + element("td", makers) +
-                           element("td", age_chip(age)) + element("td", "<code>" + command + "</code>", "command"));
+                           element("td", age_chip(age, old_read)) +
+                           element("td", "<code>" + command + "</code>", "command"));
 }
 
 }  // namespace
@@ -209,7 +210,8 @@ std::string ages(const std::vector<StudyResult>& studies, const Evidence& eviden
   std::string rows;
   for (const StudyResult& study : studies)
     rows += row_of("study_" + study.name, typeset(escaped(study.report.at("title").get<std::string>())),
-                   study.numbers.results, study.numbers, makers_of(study.numbers, study.machines), study.made_by);
+                   study.numbers.results, study.numbers, makers_of(study.numbers, study.machines), study.made_by,
+                   study.old_read);
   for (const KeptFile& file : kept_files(evidence)) {
     std::set<std::string> machines;
     for (const Maker& maker : file.numbers.makers()) machines.insert(maker.machine);

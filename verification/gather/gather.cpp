@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/numbers.h"
 #include "report/seal.h"
 
 namespace {
@@ -96,7 +97,10 @@ int main(int argc, char** argv) try {
     return number(a["of_limit"]) > number(b["of_limit"]);
   });
   std::ofstream out(records / "checks.json");
-  ordered_json all{{"tests", tests.size()}, {"missing", faults}, {"checks", checks}};
+  ordered_json all{{"made_by", json_of(furrow::this_maker(furrow::that_decide("faults")))},
+                   {"tests", tests.size()},
+                   {"missing", faults},
+                   {"checks", checks}};
   furrow::seal(all);
   out << all.dump(1) << "\n";
   out.close();

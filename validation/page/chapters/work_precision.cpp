@@ -167,8 +167,10 @@ Report work_precision(const Shelf& shelf) {
       "events: then root mean squares over three neighbouring steps. Cost: evaluations of the right-hand side, "
       "which repeat to the digit, and CPU seconds on one thread, median and spread of three to nine runs. All "
       "methods run through the same loop, with the same jump after each step, samples, and no energy ledger. The "
-      "jump evaluates the contacts once more and is not counted among the evaluations: a method with many cheap "
-      "steps pays for it in CPU time. +t: tears are located within the step; +e: so are touches, slips and forces held "
+      "jump evaluates the contacts, too. A method that begins its step with an evaluation there takes the jump's "
+      "rates, and "
+      "counts them; for the others the jump's evaluation is not counted, and is paid for in CPU time. +t: tears are "
+      "located within the step; +e: so are touches, slips and forces held "
       "at zero, and steps behind a "
       "touch are graded; what that costs is counted. Tried with the own methods.");
   add_summary(report, all);
