@@ -192,7 +192,7 @@ std::vector<OtherRun> tools(const ReportOptions& options, std::vector<RunOptions
   want(options,
        {.scene = file, .set = {"lattice[0].drive[0].rows=[" + rows + "]", pictures}, .directory = place / "rigid_tool"},
        wanted);
-  return {{"a tool that bends", place / "tool_that_bends"}, {"the same tool, rigid", place / "rigid_tool"}};
+  return {{"a tool that bends", place / "tool_that_bends"}, {"the same tool made rigid", place / "rigid_tool"}};
 }
 
 // Outside of the source tree there are none where they are looked for.

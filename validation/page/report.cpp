@@ -21,6 +21,7 @@
 #include "validation/page/svg.h"
 #include "validation/page/template.h"
 #include "validation/page/terms.h"
+#include "validation/page/tool_section.h"
 #include "validation/page/validity_part.h"
 #include "validation/page/verification.h"
 
@@ -59,11 +60,15 @@ std::string missing_part(const Evidence& evidence) {
 std::string methods_table(Page& page) {
   std::string rows;
   for (const MethodInfo& m : method_catalogue()) {
-    rows += element("tr", "<th scope=\"row\" id=\"" + page.id(id_of_method(m.name)) + "\"><code>" + escaped(m.name) +
-                              "</code></th>" + element("td", escaped(m.title)) +
-                              element("td", std::to_string(m.order), "number") +
-                              element("td", m.evaluations == 0 ? "varies" : std::to_string(m.evaluations), "number") +
-                              element("td", m.controlled ? "chosen by a tolerance" : "fixed"));
+    rows += element(
+        "tr", "<th scope=\"row\" id=\"" + page.id(id_of_method(m.name)) + "\"><code>" + escaped(m.name) +
+                  "</code></th>" + element("td", escaped(m.title)) + element("td", std::to_string(m.order), "number") +
+                  element("td",
+                          m.evaluations == 0 ? "varies"
+                                             : std::to_string(m.evaluations) +
+                                                   (m.dense_jacobian ? ", and one a number of the state" : ""),
+                          "number") +
+                  element("td", m.controlled ? "chosen by a tolerance" : "fixed"));
   }
   return framed({page.id("table methods"), "The methods, as furrow names them.", "Methods", "study",
                  head_cell("Name") + head_cell("What it is") + head_cell("Order", true) +
@@ -84,11 +89,12 @@ class PageWriter {
  public:
   // records: links to what is recorded of the runs.
   PageWriter(const std::vector<RunRecord>& runs, const std::vector<std::string>& records, const Films& films,
-             const Besides& besides, const Evidence& evidence, Page& page)
+             const Besides& besides, const std::vector<OtherRun>& tools, const Evidence& evidence, Page& page)
       : runs_(runs),
         records_(records),
         films_(films),
         besides_(besides),
+        tools_(tools),
         evidence_(evidence),
         page_(page),
         studies_(study_results(evidence)) {}
@@ -138,13 +144,7 @@ class PageWriter {
     if (part.id == "scenes" && films_.contains("tool")) {
       const std::string here = next();
       text.contents += line_of("tool", here, "A tool that bends");
-      text.html += "<section id=\"tool\">\n" +
-                   heading(3, page_.id("a tool that bends"), element("span", here, "section") + "A tool that bends") +
-                   element("p",
-                           "The paper leaves a deformable tool to later. Here a lattice whose upper end is driven is "
-                           "drawn through the bed of scene 2; beside it the same lattice with all its nodes driven, "
-                           "which is rigid. The curve is the force on the driven nodes.") +
-                   player_element(films_.at("tool")) + "</section>\n";
+      text.html += tool_section(tools_, films_.at("tool"), here, page_);
     }
     if (part.id == "right") {
       text.contents += line_of("verification", next(), "Checks");
@@ -176,6 +176,7 @@ class PageWriter {
   const std::vector<std::string>& records_;
   const Films& films_;
   const Besides& besides_;
+  const std::vector<OtherRun>& tools_;
   const Evidence& evidence_;
   Page& page_;
   std::vector<StudyResult> studies_;
@@ -202,7 +203,7 @@ void write_report(OwnedDirectory& directory, const std::vector<ReportedRun>& rep
   }
   add_tool_films(tools, films);
   Page page;
-  const std::string html = PageWriter(runs, records, films, besides, evidence, page).html();
+  const std::string html = PageWriter(runs, records, films, besides, tools, evidence, page).html();
   Drawings& files = page.files;
   files["index.html"] = html;
   files["statements.toml"] = embedded("validation/statements.toml");  // where the paper says what is judged

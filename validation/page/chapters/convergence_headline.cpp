@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "output/files.h"
+#include "validation/studies/members.h"
 
 namespace furrow::validation {
 namespace {
@@ -49,6 +50,7 @@ void add_headline(Report& report, const std::vector<ConvergedForce>& found, std:
                   const std::string& finest_step) {
   double most = 0, made = 0, made_least = infinity;  // of the discs; of the spheres
   std::string spheres;
+  bool settles = false;  // one of the spheres' forces
   for (const ConvergedForce& f : found) {
     if (f.c.scene == "scenario_1" || !std::isfinite(f.off())) continue;
     if (f.c.reading == Reading::disc) {
@@ -56,22 +58,23 @@ void add_headline(Report& report, const std::vector<ConvergedForce>& found, std:
       made = std::max(made, f.made);
     } else {
       made_least = std::min(made_least, f.made);
-      spheres += (spheres.empty() ? "" : ", ") + rounded(f.at_papers) + " N becomes " + with_finer_steps(f) +
-                 (f.settles ? "" : " and settles at no step");
+      settles = settles || f.settles;
+      spheres += (spheres.empty() ? "" : " and ") + with_finer_steps(f) + " instead of " + rounded(f.at_papers) + " N";
     }
   }
   const auto whole = [](double value) { return std::to_string(std::lround(value)); };
   report.headline(
       {.tile = "finding",
-       .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms "
-                "are off by no more than " +
+       .value = "If a particle is a disc 1 m deep, the largest forces at the paper's time step of 0.1 ms are off by no "
+                "more than " +
                 whole(100 * most) + " %, though the method makes up to " + whole(100 * made) +
                 " % of all the energy there.",
-       .text = "If it is a sphere, and the paper does not say which, that step makes them, and " + rounded(made_least) +
-               " times that energy or more: with finer ones that make less than all of "
-               "it, down to " +
-               finest_step + ", " + spheres + ". Of " + std::to_string(settled.second) + " numbers in all, " +
-               std::to_string(settled.first) + " do not depend on the paper's step."});
+       .text = "If it is a sphere, and the paper does not say which, that step makes them, and " +
+               three_digits(made_least) +
+               " times that energy or more; finer ones that make less than all of it, down to " + finest_step +
+               ", give " + spheres + (settles ? "" : ", and none settles them") + ". Of " +
+               std::to_string(settled.second) + " numbers in all, " + std::to_string(settled.first) +
+               " do not depend on the paper's step."});
   report.first_figure(figure_of(found, finest_step));
 }
 
