@@ -89,7 +89,7 @@ Tally add_case(Report& report, const Numbers& results, const ConvergencePlan& pl
 }
 
 std::string in_plain_words(const std::string& reading, const Tally& tally) {
-  const auto count = [](int n) { return std::to_string(n); };
+  const auto count = [](int n) { return n == 0 ? "none" : std::to_string(n); };
   std::string text = reading + ": ";
   if (tally.at_papers_step == tally.numbers)
     return text + "all " + count(tally.numbers) + " numbers are settled at the paper's step: they are the model's.";
@@ -113,16 +113,6 @@ std::vector<double> sound_forces(const Numbers& results, const ConvergencePlan& 
   return sound;
 }
 
-Json forces_by_step(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
-                    const std::string& id) {
-  Json rows = Json::array();
-  for (const double step : plan.steps) {
-    const double value = value_in(results, {c, "pece", step}, id);
-    if (std::isfinite(value)) rows.push_back({1e3 * step, value});
-  }
-  return rows;
-}
-
 std::string largest_force_of(const std::string& scene) {
   return scene == "scenario_1"   ? "first_impact"
          : scene == "scenario_2" ? "largest_force_discs"
@@ -138,7 +128,9 @@ Report convergence(const Shelf& shelf) {
       "Are the published numbers those of the model, or of the time step?",
       "Each scene runs from one and the same start at steps from twice the paper's to a fiftieth of it, and by other "
       "methods. A number stands if it no longer changes when the step is made finer, by more than 2 % or than "
-      "what a nudge of 1e-9 m/s to one body at the start does to it.");
+      "what a nudge of 1e-9 m/s to one body at the start does to it, and if the method does not make more than all the "
+      "energy "
+      "that the scene is given.");
   Report details("", "");  // of the figure
   Json blocks = Json::object();
   Tally all;
@@ -183,11 +175,12 @@ Report convergence(const Shelf& shelf) {
     report.figure(
         {.name = "convergence",
          .script = "convergence.gp",
-         .caption =
-             "Largest force against the time step, by the paper's method; the paper's step is marked, its numbers "
-             "are the dotted lines. Of " +
-             std::to_string(all.numbers) + " numbers of all scenes and readings " + std::to_string(all.at_papers_step) +
-             " do not depend on the step at the paper's.",
+         .caption = "Largest force against the time step, by the paper's method; the paper's step is marked, its "
+                    "numbers are the dotted lines. Of " +
+                    std::to_string(all.numbers) +
+                    " numbers of all scenes, as "
+                    "discs and as spheres, " +
+                    std::to_string(all.at_papers_step) + " do not depend on it.",
          .description = "Largest force on the plate against the time step for each scene and reading of the mass",
          .blocks = blocks});
   }

@@ -42,6 +42,16 @@ double value_in(const Numbers& results, const ConvergenceRun& one, const std::st
   return values.contains(id) ? values[id].get<double>() : NAN;
 }
 
+Json forces_by_step(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                    const std::string& id) {
+  Json rows = Json::array();
+  for (const double step : plan.steps) {
+    const double value = value_in(results, {c, "pece", step}, id);
+    if (std::isfinite(value)) rows.push_back({1e3 * step, value});
+  }
+  return rows;
+}
+
 double settled_from(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
                     const std::string& id, double spread) {
   const double finest = value_in(results, {c, "pece", plan.steps.back()}, id);
@@ -49,6 +59,7 @@ double settled_from(const Numbers& results, const ConvergencePlan& plan, const C
   double from = NAN;
   for (auto step = plan.steps.rbegin() + 1; step != plan.steps.rend(); ++step) {
     if (!(std::fabs(value_in(results, {c, "pece", *step}, id) - finest) <= allowed)) break;
+    if (!instability_words(results, {c, "pece", *step}).empty()) break;  // the same number is then a coincidence
     from = *step;
   }
   for (const std::string& method : plan.others) {

@@ -26,7 +26,12 @@ bool failed(const Numbers& results, const ConvergenceRun& one);
 // NaN where the run did not get to the end, or does not say.
 double value_in(const Numbers& results, const ConvergenceRun& one, const std::string& id);
 
-// The coarsest step from which on every number stays within what chaos or 2 % allow of the finest; NaN: none.
+// Rows of ms and N, where the run got to its end.
+Json forces_by_step(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
+                    const std::string& id);
+
+// The coarsest step from which on every number stays within what chaos or 2 % allow of the finest, and the method makes no
+// more than all the energy that there is; NaN: none.
 double settled_from(const Numbers& results, const ConvergencePlan& plan, const ConvergenceCase& c,
                     const std::string& id, double spread);
 
