@@ -16,9 +16,9 @@ constexpr std::array state_path{"src/physics/",          "src/system/",       "s
 // The watches: they may end a run, and change no number of one that comes to its end. The check of each step is none,
 // nor what it asks (step_check, meeting, path): a run that is not watched may diverge by it, and that is kept as a number.
 // It also asks crossing.cpp where nodes are and whether a plate was crossed; the rest of that file is of watches.
-constexpr std::array watches{"src/run/border_watch.", "src/run/crossing.",   "src/run/cut_lattices.",
-                             "src/run/energy_floor.", "src/run/idle_discs.", "src/run/inside_out.",
-                             "src/run/validity.",     "src/run/watched."};
+constexpr std::array watches{"src/run/border_watch.", "src/run/crossing.",    "src/run/cut_lattices.",
+                             "src/run/energy_floor.", "src/run/idle_discs.",  "src/run/inside_out.",
+                             "src/run/validity.",     "src/run/watch_rules.", "src/run/watched."};
 
 bool is_a_watch(const std::string& file) {
   return std::any_of(watches.begin(), watches.end(), [&](const char* watch) { return file.starts_with(watch); });

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "run/energy_floor.h"
 #include "run/system.h"
 
 namespace furrow {
 
-// A disc in free flight keeps the sum of its kinetic energy and of what it has risen by since the start (J). By a method that
-// does not keep it, of first order, no disc is idle, and its energy counts as any other.
+// A disc in free flight keeps the sum of its kinetic energy and of what it has risen by since the start (J), but for the
+// rounding of its steps. How much may be rounding is a tenth of the floor below which the watch judges no energy: so what a
+// disc that has just touched something gives to it is either seen, and the disc is idle no more, or too little to be judged.
+// By a method that does not keep the sum, of first order, no disc is idle, and its energy counts as any other.
 class IdleDiscs {
  public:
   struct Sum {
@@ -22,13 +25,21 @@ class IdleDiscs {
   void begin(const System& system, const State* y) {
     start_.clear();
     for (int i = 0; y && i < system.parts().disc.count(); ++i)
-      start_.push_back({kinetic(system, *y, i), (*y)[system.y_of(i)]});
+      start_.push_back({kinetic(system, *y, i), (*y)[system.y_of(i)], 0});
   }
 
-  Sum sum(const System& system, const State* y) const {
-    constexpr double rounded = 1e-9;  // of the energies that are added: sums of a million steps
+  // At time t (s). What is in contact then is not idle, and never will be again.
+  Sum sum(const System& system, double t, const State* y) {
+    constexpr double rounded = EnergyFloor::round_off / 10;  // of the energies that are added
+    if (y && !start_.empty()) {
+      system.for_each_contact(t, *y, [&](const Contact& c) {
+        if (of_disc(c.id.kind)) start_[c.id.a].met = 1;
+        if (c.id.kind == disc_disc) start_[c.id.b].met = 1;
+      });
+    }
     Sum sum;
     for (std::size_t k = 0; y && k < start_.size(); ++k) {
+      if (start_[k].met > 0) continue;
       const int i = static_cast<int>(k);
       const double moving = kinetic(system, *y, i);
       const double risen = system.parts().disc.mass[k] * system.gravity() * ((*y)[system.y_of(i)] - start_[k].y);
@@ -44,12 +55,14 @@ class IdleDiscs {
     visit.list("starts of discs", start_, [&](Start& one) {
       visit("kinetic", one.kinetic);
       visit("height", one.y);
+      visit("met", one.met);
     });
   }
 
  private:
   struct Start {
     double kinetic = 0, y = 0;  // J, m
+    double met = 0;             // 1: it was seen in contact
   };
   static double kinetic(const System& system, const State& y, int i) {
     const DiscArrays& disc = system.parts().disc;

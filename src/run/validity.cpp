@@ -6,6 +6,7 @@
 #include "methods/method.h"
 #include "run/energy_floor.h"
 #include "run/stiffness.h"
+#include "run/watch_rules.h"
 #include "scene/wording.h"
 
 namespace furrow {
@@ -16,28 +17,6 @@ constexpr int few_bodies = 8;                           // of which each step is
 constexpr long borders_every = 50;                      // steps, at what crosses
 constexpr double renew_beyond = 1.1;                    // times what was there when it was looked at last
 constexpr double judge_beyond = 1.25;                   // times the rate that the step was judged by
-struct Rule {
-  WatchKind kind;
-  const char* name;
-  double warns_above, ends_above;
-  const char *before, *after;  // what a message says around the number
-};
-constexpr std::array<Rule, watch_kinds> rules{{
-    {WatchKind::energy_made, "energy_made", 0.01, 0.1, "the method or a law has made ",
-     " of the energy that the scene was given"},
-    {WatchKind::energy_lost, "energy_lost", 0.01, 1, "the method has lost ", " of the energy that the scene was given"},
-    {WatchKind::overlap, "overlap", 0.1, 1, "the overlap is ", " of the smaller radius"},
-    {WatchKind::behind_walls, "behind_walls", 0, 0, "discs whose centres are behind a wall: ", ""},
-    {WatchKind::through_plates, "through_plates", 0, 0, "centres that have crossed the middle of a plate: ", ""},
-    {WatchKind::through_lattices, "through_lattices", 0, 0, "centres that have crossed the border of a lattice: ", ""},
-    {WatchKind::crossing_lattices, "crossing_lattices", 0, infinity,
-     "lattices reach through each other or themselves, or a plate through one; crossings and cells inside out: ", ""},
-    {WatchKind::impact, "impact", 1, infinity, "a contact has ",
-     " times the energy that carries the one through the other"},
-    {WatchKind::step, "step", 0.5, infinity, "the step is ", " times the largest stable one"},
-    {WatchKind::arrival, "arrival", 1, infinity, "the step is ",
-     " times the largest stable one of an impact that may come"},
-}};
 
 std::string allowance(const std::string& method, const StiffPart& part, double limit) {
   Sentence text;
@@ -130,8 +109,8 @@ void Validity::say(WatchKind kind, Verdict verdict) {
   text << "at t = " << w.time << " s " << rule.before << w.worst << rule.after;
   if (!w.where.empty()) text << " (" << w.where << ")";
   if (verdict == Verdict::warned) return warn_(text.str());
-  text << ". Beyond that the run says nothing of the scene; take a shorter step"
-       << (kind <= WatchKind::energy_lost ? "" : " or stiffer parts") << ", or let it go on by [allow] " << w.name;
+  text << ". Beyond that the run says nothing of the scene; " << what_helps(kind, scene_)
+       << ", or let it go on by [allow] " << w.name;
   failure_ = text.str();
 }
 
@@ -276,7 +255,7 @@ void Validity::judge_row(double t, const Observation& seen) {
 void Validity::judge_energy(double t, const Observation& seen, bool early) {
   const Energies& e = seen.energy;
   if (!started_) start_ = e, idle_.begin(system_, state_);
-  const IdleDiscs::Sum idle = idle_.sum(system_, state_);
+  const IdleDiscs::Sum idle = idle_.sum(system_, t, state_);
   const double given = e.supplied(start_) + plate_power_ * step_;
   all_supplied_ = std::max(all_supplied_, given);
   supplied_ = std::max(supplied_, given - idle.kinetic);

@@ -140,5 +140,36 @@ TEST(EnergyWatch, AFallByAFirstOrderMethodIsSoundFromAnyHeight) {
   }
 }
 
+// What has just touched is not idle, though it has lost next to nothing of what it has: a disc that spins fast is set down,
+// a heavy one meets a grain. The ledger closes, at any step; so there is nothing to say.
+TEST(EnergyWatch, WhatHasJustTouchedIsNotIdle) {
+  Scene set_down = empty_scene();
+  set_down.material[0].young = 1e7;
+  set_down.wall = {wall({0, 0}, {0, 1})};
+  Scene grain = set_down;
+  grain.wall.clear();
+  grain.disc = {disc({0, 0.05005}, 0.05, {0, -0.01}), disc({0, -0.001}, 0.001)};
+  for (const double step : {1e-5, 1e-6}) {
+    for (const double spin : {5.0, 100.0, 1000.0}) {
+      for (const double friction : {0.0, 0.3}) {
+        set_down.disc = {disc({0, 0.05001}, 0.05, {0, -0.01}, spin)};
+        set_down.contact.friction = friction;
+        const WatchedRun r = watched(set_down, "verlet", step, 0.004);
+        EXPECT_EQ(r.end.ending, Ending::finished) << spin << " rad/s: " << r.end.reason;
+        EXPECT_EQ(r.warnings, std::vector<std::string>{});
+      }
+    }
+    const WatchedRun r = watched(grain, "verlet", step, 0.02);
+    EXPECT_EQ(r.end.ending, Ending::finished) << r.end.reason;
+    EXPECT_EQ(r.warnings, std::vector<std::string>{});
+  }
+}
+
+TEST(EnergyWatch, AdvisesAnotherLawWhereTheLawMakesIt) {
+  const WatchedRun by_law = watched(overfull_spring(ForceLaw::hertz_mindlin, 0.5), "pece", 5e-6, 0.025);
+  EXPECT_EQ(by_law.end.ending, Ending::invalid);
+  EXPECT_NE(by_law.end.reason.find("take model.after_slip = \"elastic\""), std::string::npos) << by_law.end.reason;
+}
+
 }  // namespace
 }  // namespace furrow
