@@ -174,7 +174,9 @@ TEST(Calibration, OfWhichNoRunSaysATargetIsAnError) {
       {valued("mean_force", "window = [5.05, 5.0500001]\nvalue = 1.0\ntolerance = 1.0"),
        "target \"mean_force\" of twig"},
       {valued("largest_force") + valued("first_tear"), "no run says target \"first_tear\" of twig, in 2 settings"},
-      {valued("finished"), "no key moves any target: 2 settings"}};
+      {valued("finished"), "no key moves any target: 2 settings"},
+      {valued("largest_force", "value = 1e9\nrelation = \"below\"\ntolerance = 10.0"),
+       "each of the 2 settings meets every target"}};
   for (const auto& one : unsaid) {
     const auto& text = one.first;
     const auto& message = one.second;

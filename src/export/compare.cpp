@@ -24,6 +24,8 @@ constexpr double least_order = 0.8;  // of a fit over two steps; between order 1
 constexpr double no_force = 1;       // the error of an engine in which nothing feels a force
 constexpr double floor_of_error = 1e-9;
 constexpr double most_at_least_step = 0.05;  // what a step that is a tenth of a contact time leaves at order 1
+constexpr double most_held_apart = 1e-4;     // spacings: what is printed has six digits and more
+constexpr double most_places_apart = 1e-6;   // of the greatest way: rounding, grown by a long run
 constexpr double most_steps_apart = 3;       // a node loses one link a step there, so that several at once take several
 
 std::string newtons(double force) { return rounded(force, 4) + " N"; }
@@ -83,9 +85,13 @@ class Comparison {
   }
 
   void say_nothing_compared() {
-    if (run_.parts == 0) return say("Nothing was compared: the scene has no plate, no wall and no link that can tear.");
-    say("Nothing was compared: no plate or wall had a force up to " + shortest(early_) +
-        " s; choose a longer --early.");
+    if (run_.parts == 0)
+      return say("Nothing was compared: the scene has no plate, no wall, and no link tore up to " + shortest(early_) +
+                 " s. Places are judged of a lattice alone that goes by verlet.");
+    say("Nothing was compared: up to " + shortest(early_) +
+        " s no plate or wall had a force, and no link tore; choose a longer --early. Places are judged of a lattice "
+        "alone "
+        "that does not tear and goes by verlet.");
   }
 
   void compare_early() {
@@ -159,29 +165,48 @@ class Comparison {
           rounded(theirs.error, 2) + " N, furrow " + rounded(ours.value, 4) + " +- " + rounded(ours.error, 2) + " N");
     }
     out_.json["later"] = later;
-    compare_ends(prepared.system, own, engine);
+    compare_ends(prepared, own, engine);
     if (!run_.bonds.empty()) compare_links(own, engine);
   }
 
-  void compare_ends(const System& system, const OwnRun& own, const EngineOutput& engine) {
+  // A lattice alone that does not tear has the same places by the same scheme, but for rounding.
+  bool has_the_same_places(const OwnRun& own, const EngineOutput& engine) const {
+    const bool tears = !own.tears.empty() || !engine.tears.empty();
+    return scene_.disc.empty() && run_.parts == 0 && !tears && scene_.time.method == "verlet";
+  }
+
+  void compare_ends(const Prepared& prepared, const OwnRun& own, const EngineOutput& engine) {
+    const System& system = prepared.system;
     const int discs = system.parts().disc.count();
-    const NodeMotion nodes = system.nodes(scene_.time.end, own.end);
+    const NodeMotion nodes = system.nodes(scene_.time.end, own.end), start = system.nodes(0, prepared.y);
     State theirs = own.end;
-    double apart = 0, ours_high = 0, theirs_high = 0;
+    double apart = 0, held_apart = 0, way = 0, ours_high = 0, theirs_high = 0;
     const std::vector<int> place = places_in(system.parts().disc.number);
     for (const EngineBody& body : engine.end) {
       const int k = discs > 0 ? place[static_cast<std::size_t>(body.id - 1)] : body.id - 1;
       const Vec2 at = discs > 0 ? Vec2{own.end[system.x_of(k)], own.end[system.y_of(k)]} : Vec2{nodes.x[k], nodes.y[k]};
       apart = std::max(apart, std::hypot(at.x - body.at.x, at.y - body.at.y));
-      if (discs == 0) continue;
+      if (discs == 0) {
+        if (system.parts().node.body[k] < 0)
+          held_apart =
+              std::max(held_apart, std::hypot(at.x - body.at.x, at.y - body.at.y) / system.parts().node.spacing[k]);
+        way = std::max(way, std::hypot(at.x - start.x[k], at.y - start.y[k]));
+        continue;
+      }
       ours_high += at.y / discs;
       theirs_high += body.at.y / discs;
       theirs[system.x_of(k)] = body.at.x;
       theirs[system.y_of(k)] = body.at.y;
     }
-    out_.json["end"] = {{"bodies", engine.end.size()}, {"greatest_distance", apart}, {"good", nullptr}};
-    say("at the end, no verdict: none of " + std::to_string(engine.end.size()) + " bodies further than " +
-        rounded(apart, 3) + " m from where furrow has it");
+    const bool same = way > 0 && has_the_same_places(own, engine);
+    out_.json["end"] = {{"bodies", engine.end.size()},
+                        {"greatest_distance", apart},
+                        {"good", same ? judged("the places at the end", apart <= most_places_apart * way) : Json()}};
+    say(std::string("at the end") + (same ? "" : ", no verdict") + ": none of " + std::to_string(engine.end.size()) +
+        " bodies further than " + rounded(apart, 3) + " m from where furrow has it");
+    // That they are where they are held is no comparison; that they are not is a fault.
+    if (held_apart > most_held_apart)
+      judged("held and driven nodes, " + rounded(held_apart, 3) + " spacings away", false);
     if (discs == 0) return;
     const double ours = surface_height(system, own.end), other = surface_height(system, theirs);
     out_.json["end"]["mean_height"] = {{"furrow", ours_high}, {"engine", theirs_high}};
@@ -200,7 +225,8 @@ class Comparison {
         ", furrow " + std::to_string(found.furrow) + ", the same " + std::to_string(found.both) + "; up to " +
         shortest(early_) + " s engine " + std::to_string(found.engine_early) + ", furrow " +
         std::to_string(found.furrow_early) + ", each within " + rounded(found.steps, 3) + " steps");
-    out_.json["links"]["good"] = run_.tears ? judged("torn links", found.steps <= most_steps_apart) : Json();
+    const bool tore = found.furrow_early + found.engine_early > 0;  // or nothing is compared
+    out_.json["links"]["good"] = tore ? judged("torn links", found.steps <= most_steps_apart) : Json();
   }
 
   const DeckRecord record_;

@@ -49,7 +49,7 @@ class Deck : DeckText {
     say({"variable refine index 1"});
     say({"variable h equal", shortest(scene_.time.step) + "/v_refine"});
     if (loaded()) say({"fix loads all property/atom d_load_x d_load_y"});
-    if (net()) say({"bond_style", parts_.link.count() > 0 ? "harmonic" : "zero"}), say({"special_bonds lj/coul 1 1 1"});
+    if (net()) say({"bond_style", kinds_.bond.empty() ? "zero" : "harmonic"}), say({"special_bonds lj/coul 1 1 1"});
     say({"read_data data.lammps", loaded() ? "fix loads NULL Loads" : ""});
     say({"neighbor", shortest(0.4 * least_radius()), "bin"});
     say({"neigh_modify delay 0 every 1 check yes"});
@@ -123,6 +123,7 @@ class Deck : DeckText {
       longest = std::max(longest, all[k].length);
       say({"bond_coeff", std::to_string(k + 1), words(all[k].stiffness / 2, all[k].length)});
     }
+    if (all.empty()) say({"bond_coeff", "*", "1"});  // of bond_style zero: a length, without a force
     for (const std::size_t k : tearing())
       say({"fix tear" + std::to_string(k + 1), "all bond/break 1", std::to_string(k + 1),
            shortest(all[k].length + all[k].strength / all[k].stiffness)});

@@ -7,6 +7,7 @@
 #include "output/schedule.h"
 #include "run/observe.h"
 #include "run/run.h"
+#include "run/validity.h"
 
 namespace furrow {
 namespace {
@@ -22,13 +23,15 @@ OwnRun own_run(Prepared& prepared, const std::string& method_name, double step, 
   const auto method = make_method(method_name, {time.relative_tolerance, time.absolute_tolerance, step});
   const double interval = deck_run(prepared).interval();
   own.end = prepared.y;
-  RunPlan plan{.start = 0, .end = until, .step = step};
+  Validity validity(system, prepared.scene, [](const std::string&) {});
+  RunPlan plan{.start = 0, .end = until, .step = step, .validity = &validity};
   Due due(method->info(), step, interval);
   plan.stop = [&](double t) { return due.stop(t, until); };
   const RunEnd ended = run(system, *method, own.end, plan, [&](double t, const State& y, const JumpReport& jump) {
     own.tears.insert(own.tears.end(), jump.torn.begin(), jump.torn.end());
     if (!due.at(t)) return true;
     const Observation seen = observe(system, t, y);
+    validity.judge_row(t, seen);
     own.forces.push_back({static_cast<double>(due.taken())});
     for (const auto& list : {seen.plate, seen.wall})
       for (const Force& f : list) own.forces.back().insert(own.forces.back().end(), {f.x, f.y});

@@ -16,7 +16,7 @@ struct OwnRun {
   std::vector<Tear> tears;  // in the order of their times
 };
 
-// Throws Divergence.
+// Watched as furrow run does it. Throws Divergence, also where furrow run would end it as invalid.
 OwnRun own_run(Prepared& prepared, const std::string& method, double step, double until);
 
 // Of the part in columns c and c + 1. The first row is passed over: the engine's plates have no speed before their first

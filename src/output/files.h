@@ -154,6 +154,11 @@ void begin_appending(const std::filesystem::path& file, std::string_view beginni
 // failed, as of one that cannot be opened.
 std::ifstream regular_file(const std::filesystem::path& file);
 
+// All that a file or stream gives, up to 2^28 bytes. Throws FileError, which begins with `name`, if there is more, it is a
+// directory or cannot be read.
+std::string bounded_text(const std::filesystem::path& file);
+std::string bounded_text(std::istream& stream, const std::string& name);
+
 // Length and hash of what is in it.
 FileMark mark_of(const std::filesystem::path& file);
 

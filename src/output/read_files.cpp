@@ -13,6 +13,26 @@ std::ifstream regular_file(const std::filesystem::path& file) {
   return stream;
 }
 
+std::string bounded_text(std::istream& stream, const std::string& name) {
+  constexpr std::size_t most = std::size_t{1} << 28;
+  std::string text;
+  for (std::string part(1 << 20, '\0'); stream && text.size() <= most;) {
+    stream.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part, 0, static_cast<std::size_t>(stream.gcount()));
+  }
+  if (text.size() > most) throw FileError(name + ": has more than " + std::to_string(most) + " bytes");
+  if (stream.bad()) throw FileError("cannot read all of " + name);
+  return text;
+}
+
+std::string bounded_text(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw FileError(file.string() + ": is a directory");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw FileError("cannot read " + file.string());
+  return bounded_text(stream, file.string());
+}
+
 FileMark mark_of(const std::filesystem::path& file) {
   std::ifstream stream = regular_file(file);
   if (!stream) throw FileError("cannot read " + file.string());

@@ -9,11 +9,13 @@
 #include <future>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <thread>
 
 #include "output/build_info.h"
 #include "output/files.h"
 #include "output/run_files.h"
+#include "output/strict_json.h"
 #include "program/commands.h"
 #include "program/progress.h"
 #include "program/run_summary.h"
@@ -27,7 +29,23 @@ namespace fs = std::filesystem;
 
 fs::path directory_of(const RunOptions& options) {
   const fs::path wanted = !options.resume.empty() ? options.resume : options.directory;
-  return wanted.empty() ? "runs" / fs::path(options.scene).stem() : wanted;
+  if (!wanted.empty()) return wanted;
+  const fs::path name = fs::path(options.scene).stem();
+  if (name == "." || name == "..")
+    throw std::invalid_argument(options.scene + ": its name gives no directory for the files; say --out DIR");
+  return "runs" / name;
+}
+
+// Which finished run of another scene file the directory holds; empty: none, or it does not say.
+std::string other_run_in(const fs::path& directory, const fs::path& scene) {
+  std::ifstream stream = regular_file(directory / "run.json");
+  const auto run = stream ? json_or_discarded(stream) : nlohmann::ordered_json();
+  if (!run.is_object() || run.value("ended", nlohmann::ordered_json()) != "finished") return {};
+  const auto of = run.value("scene", nlohmann::ordered_json());
+  std::error_code unknown;
+  const bool other =
+      of.is_string() && fs::weakly_canonical(of.get<std::string>(), unknown) != fs::weakly_canonical(scene, unknown);
+  return other ? of.get<std::string>() : "";
 }
 
 }  // namespace
@@ -49,6 +67,8 @@ RunOutcome run_one(const RunOptions& options, Progress& progress) {
     return progress.show(name, doing, done, total);
   };
   request.warn = [&](const std::string& text) { progress.say(name + ": warning: " + text); };
+  if (const std::string other = resumes ? "" : other_run_in(directory, options.scene); !other.empty())
+    progress.say("furrow: " + name + ": the finished run of " + other + " in " + directory.string() + " is replaced");
   progress.begin(name, "preparing");
   RunOutcome outcome = run_with_files(request);
   const std::string in_directory = " in " + directory.string();

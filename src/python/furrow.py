@@ -162,6 +162,8 @@ def to_toml(scene, _path=""):
     values, tables = "", ""
     for key, value in scene.items():
         path = _text(f"{_path}.{key}" if _path else str(key))
+        if not re.fullmatch("[A-Za-z0-9_-]+", str(key)):
+            raise Error(f"{path!r}: no key of a scene is spelt so; keys are letters, digits and _, a table is a dict of its own")
         if isinstance(value, dict):
             tables += f"\n[{path}]\n" + to_toml(value, path)
         elif _is_table_list(value):
@@ -536,9 +538,12 @@ def _require_once(keys):
 
 
 def _settings(set):
+    if not isinstance(set or {}, dict) or not all(isinstance(key, str) and "=" not in key and key == key.strip() for key in set or {}):
+        raise Error(f"set is {set!r}: it is a dict of keys, without blanks or '=', and their values: {{\"time.end\": 0.1}}")
     _require_once(set or {})
+    raw = lambda value: isinstance(value, str) and value == value.strip()  # TOML, or a word; blanks around a text are the text's
     return [word for key, value in (set or {}).items()
-            for word in ("--set", _text(f"{key}={value if isinstance(value, str) else _value(value, key)}"))]
+            for word in ("--set", _text(f"{key}={value if raw(value) else _value(value, key)}"))]
 
 
 def _require_name(out):

@@ -129,7 +129,8 @@ void describe(auto& v, LinkSetting& l) {
   v("stiffness_factor", l.stiffness_factor, {"-", not_negative, "0.5", "By which the stiffness is multiplied."});
   v("strength_factor", l.strength_factor,
     {"-", Range{0, infinity, true, false}, "0.5", "By which the strength is multiplied."});
-  v("torn", l.torn, plain("true", "Whether they are torn from the start, as a notch is."));
+  v("torn", l.torn,
+    plain("true", "Whether they are torn from the start, as a notch is. What an earlier setting has torn stays torn."));
 }
 
 void describe(auto& v, Stem& s) {

@@ -191,7 +191,9 @@ TEST_F(ComparingLinks, LaterThanTheEarlyTimeAreNoVerdict) {
   std::vector<Torn> more = torn_;
   more.insert(more.begin(), {500, whole_link()});
   EXPECT_EQ(compared_with(more), 1) << out();
-  EXPECT_EQ(furrow("export --compare deck --early 0.08").code, 0) << out();
+  EXPECT_EQ(furrow("export --compare deck --early 0.08").code, 1) << "nothing is left to compare: " << out();
+  EXPECT_NE(out().find("Nothing was compared"), std::string::npos) << out();
+  EXPECT_TRUE(compared("deck")["links"]["good"].is_null());
 }
 
 TEST_F(ComparingLinks, MustBeWhole) {

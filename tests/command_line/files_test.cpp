@@ -40,6 +40,26 @@ TEST_F(ProgramFiles, AnEarlierRunIsReplacedAndWhatAUserPutThereStays) {
   EXPECT_EQ(text("here/frames/mine.csv"), "mine");
 }
 
+// The same scene again is what one expects; that of another one is said.
+TEST_F(ProgramFiles, AFinishedRunOfAnotherSceneIsNotReplacedWithoutAWord) {
+  const std::string replaced = "is replaced";
+  EXPECT_EQ(furrow(short_run("here")).err.find(replaced), std::string::npos);
+  EXPECT_EQ(furrow(short_run("here")).err.find(replaced), std::string::npos) << "its own";
+  put("other.toml", text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml"));
+  const Result r = furrow("run other.toml --until 0.05 --out here");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("scenario_1.toml in here is replaced"), std::string::npos) << r.err;
+}
+
+TEST_F(ProgramFiles, ASceneWhoseNameIsADirectoryAboveNeedsOne) {
+  for (const char* name : {"..toml", "...toml"}) {
+    put(name, text_of(FURROW_SOURCE_DIR "/validation/scenes/scenario_1.toml"));
+    const Result r = furrow(std::string("run ") + name + " --until 0.05");
+    EXPECT_EQ(r.code, 2) << name;
+    EXPECT_NE(r.err.find("say --out DIR"), std::string::npos) << r.err;
+  }
+}
+
 TEST_F(ProgramFiles, ALinkInPlaceOfAFileIsNotFollowed) {
   ASSERT_EQ(furrow(short_run("here")).code, 0);
   put("precious");

@@ -247,11 +247,18 @@ class Runs(unittest.TestCase):
         before = tempfile.tempdir
         self.addCleanup(lambda: setattr(tempfile, "tempdir", before))
         tempfile.tempdir = str(self.place)
-        for given in ({"time.end": object()}, {"time.end": 0.1, "time.end.": 0.1}, {"title": "\ud800"}, {"title": "a\0"},
+        for given in ([("time.end", 0.1)], {3: 1}, {"title=x": "y"}, {"time.end ": 0.1}, {"time.end": object()}, {"time.end": 0.1, "time.end.": 0.1}, {"title": "\ud800"}, {"title": "a\0"},
                       {"time.stp": 1}):
             with self.subTest(given), self.assertRaises(furrow.Error):
                 furrow.run(FIRST, given)
         self.assertEqual(list(self.place.iterdir()), [])
+
+    def test_a_key_that_is_no_key_does_not_become_another_one(self):
+        with self.assertRaisesRegex(furrow.Error, "no key of a scene is spelt so"):
+            furrow.to_toml({"time": {"end = 0.01 #": 0.5}})
+
+    def test_blanks_around_a_title_are_the_titles(self):
+        self.assertEqual(furrow._settings({"title": "  a  ", "time.method": "rk4"}), ["--set", 'title="  a  "', "--set", "time.method=rk4"])
 
 
 class Broken(unittest.TestCase):

@@ -142,6 +142,14 @@ void refuse_no_effect(const std::vector<Point>& points) {
                         " settings give the same; vary other keys or wider ranges, or add a target that they move");
 }
 
+// Nor do those that all meet every target.
+void refuse_all_alike(const std::vector<Point>& points) {
+  const auto meets = [](const Point& p) { return p.failure.empty() && p.unsaid == 0 && p.misfit() == 0; };
+  if (points.size() < 2 || !std::all_of(points.begin(), points.end(), meets)) return;
+  throw NothingCompared("each of the " + std::to_string(points.size()) +
+                        " settings meets every target, so none is the best: add a target that some miss, or vary more");
+}
+
 void refuse_failures(const std::vector<Point>& points) {
   const auto failed = [](const Point& p) { return !p.failure.empty(); };
   if (!std::all_of(points.begin(), points.end(), failed)) return;
@@ -183,6 +191,7 @@ std::vector<Point> search(const Evaluator& evaluator, const SearchPlan& plan) {
   refuse_failures(points);
   refuse_unsaid(evaluator.targets(), points);
   refuse_no_effect(points);
+  refuse_all_alike(points);
   return points;
 }
 

@@ -2,8 +2,6 @@
 
 #include <toml++/toml.h>
 
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "output/files.h"
@@ -56,13 +54,7 @@ Json toml_in(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-std::string text_in(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError("cannot read " + file.string());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+std::string text_in(const fs::path& file) { return bounded_text(file); }
 
 Json json_in(const fs::path& file) {
   const std::string text = text_in(file);

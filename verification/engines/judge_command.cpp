@@ -160,7 +160,7 @@ int engine_command(const std::string& method) {
                                 " chooses its own step; the judge asks for steps that are given");
   if (isatty(STDIN_FILENO) != 0)
     std::fprintf(stderr, "furrow: waits for a request, JSON on standard input (furrow cases NAME --request STEPS)\n");
-  const Json request = json_or_discarded(std::cin);
+  const Json request = json_or_discarded(bounded_text(std::cin, "standard input"));
   if (request.is_discarded())
     throw std::invalid_argument("the request on standard input is not JSON; see furrow cases --protocol");
   require_protocol(request);

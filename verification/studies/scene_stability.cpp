@@ -206,12 +206,13 @@ Standing standing_at(Scene scene, double t, const std::function<bool(double, dou
   scene.output.energy = true;
   Prepared p = prepare(scene, [&](double done, double) { return !progress || progress(done, scene.settle->limit); });
   if (t > 0) {
-    const RunPlan plan{.start = 0, .end = t, .step = scene.time.step, .stop = {}};
+    Validity validity(p.system, scene, [](const std::string&) {});
+    const RunPlan plan{.start = 0, .end = t, .step = scene.time.step, .stop = {}, .validity = &validity};
     const auto method = make_method(scene.time.method, {scene.time.relative_tolerance, scene.time.absolute_tolerance});
     const RunEnd end = run(p.system, *method, p.y, plan,
                            [&](double now, const State&, const JumpReport&) { return !progress || progress(now, t); });
     if (end.ending == Ending::stopped) throw Interrupted("interrupted");
-    if (end.ending == Ending::diverged) throw Divergence(end.reason);
+    if (end.ending != Ending::finished) throw Divergence(end.reason);  // or the run is no scene to be linearised
   }
   return standing(std::move(p.system), t, std::move(p.y));
 }
