@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path directory_of(const RunOptions& options) {
-  const fs::path wanted = !options.resume.empty() ? options.resume : options.directory;
+  fs::path wanted = !options.resume.empty() ? options.resume : options.directory;
   if (!wanted.empty()) return wanted;
   const fs::path name = fs::path(options.scene).stem();
   if (name == "." || name == "..")
