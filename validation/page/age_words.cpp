@@ -38,7 +38,7 @@ std::string words_of(const Numbers& numbers, const Age& age) {
 
 std::string age_chip(const Age& age, std::size_t old_read) {
   if (age.old == 0 && old_read > 0)
-    return "<span class=\"chip none\">reads " + std::to_string(old_read) + " older</span>";
+    return "<span class=\"chip none\">reads " + std::to_string(old_read) + " older than the solver</span>";
   if (age.old == 0) return "<span class=\"chip good\">✓ today's solver</span>";
   return "<span class=\"chip bad\">" + std::to_string(age.old) + " of " + std::to_string(age.results) +
          " older than the solver</span>";

@@ -101,17 +101,14 @@ std::string instead(const Json& kept, Page& page) {
     for (const auto& [name, said] : engine.at("verdicts").items())
       if (!own(engine) && is_instead(said)) row(engine, kept.at("cases").value(name, name), said, name);
   }
-  // Of a method of furrow the cases with the same verdict share a row, with the words on the first; those that it cannot do,
-  // where the reason is the same.
+  // Of a method of furrow the cases with the same verdict share a row, with the words on the first; the
+  // matrix has all their names.
   for (const Json& engine : kept.at("engines")) {
-    std::map<std::pair<std::string, std::string>, std::vector<std::string>> by_verdict;
-    for (const auto& [name, said] : engine.at("verdicts").items()) {
-      const bool cannot = said.at(0) == "cannot";
-      if (own(engine) && (cannot || is_instead(said)))
-        by_verdict[{said.at(0).get<std::string>(), cannot ? said.at(1).get<std::string>() : ""}].push_back(name);
-    }
+    std::map<std::string, std::vector<std::string>> by_verdict;
+    for (const auto& [name, said] : engine.at("verdicts").items())
+      if (own(engine) && said.at(0) != "right") by_verdict[said.at(0)].push_back(name);
     for (const auto& [verdict, names] : by_verdict)
-      row(engine, joined(names), engine.at("verdicts").at(names[0]), names[0]);
+      row(engine, listed(names, 6), engine.at("verdicts").at(names[0]), names[0]);
   }
   if (rows.empty()) return {};
   return framed({page.id("table what engines do instead"), "Where an answer is not right, what it is instead.",
