@@ -61,7 +61,7 @@ std::string cell_of(const Json& said, bool foreign) {
   const std::string verdict = said.at(0);
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const Sign& s) { return s.verdict == verdict; });
   if (sign == signs.end()) return element("td", escaped(verdict));
-  // What an engine does instead has a table of its own, as has why a method of furrow cannot.
+  // What an engine does instead has a table of its own, and why a method of furrow cannot stands below it.
   const bool cannot = foreign && verdict == "cannot";
   return "<td class=\"judged " + std::string(sign->kind) + "\" aria-label=\"" + verdict +
          (of_adapter(said) ? ", of the adapter" : "") + "\"" +
@@ -88,6 +88,24 @@ std::string matrix(const Json& kept, Page& page) {
 
 bool is_instead(const Json& said) { return said.at(0) != "right" && said.at(0) != "cannot"; }
 
+// Which cases a method of furrow cannot do, and why not the first of them. Of another engine the matrix says it.
+std::string what_methods_cannot(const Json& kept) {
+  std::string items;
+  for (const Json& engine : kept.at("engines")) {
+    if (!own(engine)) continue;
+    int count = 0;
+    std::string first;
+    for (const auto& [name, said] : engine.at("verdicts").items()) {
+      if (said.at(0) != "cannot") continue;
+      if (++count == 1) first = name + ": " + said.at(1).get<std::string>();
+    }
+    if (count > 0)
+      items +=
+          element("li", typeset(escaped(name_of(engine) + " cannot do " + std::to_string(count) + " cases; " + first)));
+  }
+  return items.empty() ? items : element("ul", items);
+}
+
 // What engines do instead, others before furrow.
 std::string instead(const Json& kept, Page& page) {
   std::string rows;
@@ -101,12 +119,12 @@ std::string instead(const Json& kept, Page& page) {
     for (const auto& [name, said] : engine.at("verdicts").items())
       if (!own(engine) && is_instead(said)) row(engine, kept.at("cases").value(name, name), said, name);
   }
-  // Of a method of furrow the cases with the same verdict share a row, with the words on the first; the
-  // matrix has all their names.
+  // Of a method of furrow the cases with the same verdict share a row, with the words on the first; the matrix has all
+  // their names.
   for (const Json& engine : kept.at("engines")) {
     std::map<std::string, std::vector<std::string>> by_verdict;
     for (const auto& [name, said] : engine.at("verdicts").items())
-      if (own(engine) && said.at(0) != "right") by_verdict[said.at(0)].push_back(name);
+      if (own(engine) && is_instead(said)) by_verdict[said.at(0)].push_back(name);
     for (const auto& [verdict, names] : by_verdict)
       row(engine, listed(names, 6), engine.at("verdicts").at(names[0]), names[0]);
   }
@@ -115,7 +133,8 @@ std::string instead(const Json& kept, Page& page) {
                  "What engines do instead", "study grouped",
                  head_cell("Engine") + head_cell("Case") + head_cell("Verdict") + head_cell("What it does") +
                      head_cell("The command that shows it"),
-                 rows});
+                 rows}) +
+         what_methods_cannot(kept);
 }
 
 std::string counts(const Json& kept, Page& page) {
